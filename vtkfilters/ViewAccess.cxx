@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ViewAccess.h"
+
+#include "Error.h"
+#include "vtkPinholeCamera.h"
+
+#include <vtkAOSDataArrayTemplate.h>
+#include <vtkCellArray.h>
+#include <vtkCellArrayIterator.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+
+namespace novelview
+{
+namespace
+{
+using RowMajor3 = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+
+template <class T>
+ImageRef<T> TopDown(vtkImageData* image, T* values, int channels)
+{
+  int size[3];
+  image->GetDimensions(size);
+  const std::ptrdiff_t stride = static_cast<std::ptrdiff_t>(size[0]) * channels;
+  return { values + stride * (size[1] - 1), size[0], size[1], channels, -stride };
+}
+
+void AddField(vtkImageData* image, const char* name, const double* values, int count)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(count);
+  array->InsertNextTypedTuple(values);
+  image->GetFieldData()->AddArray(array);
+}
+
+void ReadField(
+  vtkImageData* image, const char* name, double* values, int count, const std::string& where)
+{
+  vtkDataArray* array = image->GetFieldData()->GetArray(name);
+  if (!array || array->GetNumberOfValues() != count)
+  {
+    throw Error(where, std::string("field array ") + name + " is missing or has the wrong length",
+      array ? std::to_string(array->GetNumberOfValues()) : "none", std::to_string(count));
+  }
+  for (int i = 0; i < count; ++i)
+  {
+    const int components = array->GetNumberOfComponents();
+    values[i] = array->GetComponent(i / components, i % components);
+  }
+}
+}
+
+vtkSmartPointer<vtkImageData> NewImage(int width, int height)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(width, height, 1);
+  return image;
+}
+
+template <class T>
+ImageRef<T> AddTopDownArray(vtkImageData* image, const char* name, int channels)
+{
+  vtkNew<vtkAOSDataArrayTemplate<T>> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(channels);
+  array->SetNumberOfTuples(image->GetNumberOfPoints());
+  image->GetPointData()->AddArray(array);
+  return TopDown(image, array->GetPointer(0), channels);
+}
+
+template <class T>
+ImageRef<T> TopDownArray(
+  vtkImageData* image, const char* name, int channels, const std::string& where, bool required)
+{
+  vtkDataArray* any = image->GetPointData()->GetArray(name);
+  if (!any)
+  {
+    if (required)
+    {
+      throw Error(where, std::string("point array ") + name + " is missing");
+    }
+    return {};
+  }
+  auto* array = vtkAOSDataArrayTemplate<std::remove_const_t<T>>::FastDownCast(any);
+  if (!array || array->GetNumberOfComponents() != channels)
+  {
+    throw Error(where, std::string("point array ") + name + " has the wrong type",
+      std::string(any->GetDataTypeAsString()) + " x " +
+        std::to_string(any->GetNumberOfComponents()),
+      std::to_string(sizeof(T)) + "-byte values x " + std::to_string(channels));
+  }
+  if (array->GetNumberOfTuples() != image->GetNumberOfPoints())
+  {
+    throw Error(where, std::string("point array ") + name + " has the wrong length",
+      std::to_string(array->GetNumberOfTuples()), std::to_string(image->GetNumberOfPoints()));
+  }
+  return TopDown<T>(image, array->GetPointer(0), channels);
+}
+
+#define NOVELVIEW_INSTANTIATE(T)                                                                   \
+  template VTKNOVELVIEWFILTERS_EXPORT ImageRef<T> AddTopDownArray<T>(                              \
+    vtkImageData*, const char*, int);                                                              \
+  template VTKNOVELVIEWFILTERS_EXPORT ImageRef<T> TopDownArray<T>(                                 \
+    vtkImageData*, const char*, int, const std::string&, bool);                                    \
+  template VTKNOVELVIEWFILTERS_EXPORT ImageRef<const T> TopDownArray<const T>(                     \
+    vtkImageData*, const char*, int, const std::string&, bool)
+NOVELVIEW_INSTANTIATE(unsigned char);
+NOVELVIEW_INSTANTIATE(float);
+NOVELVIEW_INSTANTIATE(int);
+#undef NOVELVIEW_INSTANTIATE
+
+void AttachCamera(vtkImageData* image, const Camera& camera)
+{
+  const RowMajor3 k = camera.K;
+  const RowMajor3 r = camera.R;
+  AddField(image, arrays::CameraMatrix, k.data(), 9);
+  AddField(image, arrays::Rotation, r.data(), 9);
+  AddField(image, arrays::Translation, camera.T.data(), 3);
+}
+
+Camera AttachedCamera(vtkImageData* image, const std::string& where)
+{
+  RowMajor3 k;
+  RowMajor3 r;
+  Camera camera;
+  ReadField(image, arrays::CameraMatrix, k.data(), 9, where);
+  ReadField(image, arrays::Rotation, r.data(), 9, where);
+  ReadField(image, arrays::Translation, camera.T.data(), 3, where);
+  int size[3];
+  image->GetDimensions(size);
+  camera.K = k;
+  camera.R = r;
+  camera.Width = size[0];
+  camera.Height = size[1];
+  ValidateCamera(camera, where);
+  return camera;
+}
+
+void AppendView(
+  vtkMultiBlockDataSet* views, const std::string& name, vtkImageData* image, const Camera& camera)
+{
+  AttachCamera(image, camera);
+  const unsigned int viewId = views->GetNumberOfBlocks();
+  views->SetBlock(viewId, image);
+  views->GetMetaData(viewId)->Set(vtkCompositeDataSet::NAME(), name.c_str());
+}
+
+std::string ViewName(vtkMultiBlockDataSet* views, unsigned int viewId)
+{
+  const char* name = views->HasMetaData(viewId)
+    ? views->GetMetaData(viewId)->Get(vtkCompositeDataSet::NAME())
+    : nullptr;
+  return name ? name : "view" + std::to_string(viewId);
+}
+
+vtkImageData* ViewImage(vtkMultiBlockDataSet* views, unsigned int viewId)
+{
+  auto* image = vtkImageData::SafeDownCast(views->GetBlock(viewId));
+  if (!image)
+  {
+    throw Error("view " + std::to_string(viewId) + " (" + ViewName(views, viewId) + ")",
+      "block is not a vtkImageData");
+  }
+  return image;
+}
+
+std::vector<View> ReadViews(
+  vtkMultiBlockDataSet* views, const ViewNeeds& needs, std::size_t atLeast)
+{
+  const unsigned int count = views ? views->GetNumberOfBlocks() : 0;
+  if (count < atLeast)
+  {
+    throw Error("views", "too few", std::to_string(count), "at least " + std::to_string(atLeast));
+  }
+  std::vector<View> result;
+  result.reserve(count);
+  for (unsigned int viewId = 0; viewId < count; ++viewId)
+  {
+    View view;
+    view.Name = ViewName(views, viewId);
+    const std::string where = "view " + std::to_string(viewId) + " (" + view.Name + ")";
+    vtkImageData* image = ViewImage(views, viewId);
+    view.Cam = AttachedCamera(image, where);
+    view.Color = TopDownArray<const unsigned char>(image, arrays::Color, 3, where, needs.Color);
+    view.Mask = TopDownArray<const unsigned char>(image, arrays::Mask, 1, where, needs.Mask);
+    view.ContourDistance =
+      TopDownArray<const float>(image, arrays::ContourDistance, 1, where, needs.ContourDistance);
+    view.DepthMap = TopDownArray<const float>(image, arrays::Depth, 1, where, false);
+    view.Confidence = TopDownArray<const float>(image, arrays::Confidence, 1, where, false);
+    result.push_back(view);
+  }
+  return result;
+}
+
+Camera ToCamera(vtkPinholeCamera* camera)
+{
+  Camera result;
+  result.K = Eigen::Map<const RowMajor3>(camera->GetCameraMatrix());
+  result.R = Eigen::Map<const RowMajor3>(camera->GetRotation());
+  result.T = Eigen::Map<const Eigen::Vector3d>(camera->GetTranslation());
+  result.Width = camera->GetImageSize()[0];
+  result.Height = camera->GetImageSize()[1];
+  return result;
+}
+
+void FromCamera(const Camera& camera, vtkPinholeCamera* out)
+{
+  const RowMajor3 k = camera.K;
+  const RowMajor3 r = camera.R;
+  out->SetCameraMatrix(k.data());
+  out->SetRotation(r.data());
+  out->SetTranslation(camera.T.data());
+  out->SetImageSize(camera.Width, camera.Height);
+}
+
+vtkSmartPointer<vtkPinholeCamera> NewPinholeCamera(const Camera& camera)
+{
+  auto result = vtkSmartPointer<vtkPinholeCamera>::New();
+  FromCamera(camera, result);
+  return result;
+}
+
+TriangleMesh ToTriangleMesh(vtkPolyData* poly, const std::string& where)
+{
+  TriangleMesh mesh;
+  const vtkIdType numberOfPoints = poly->GetNumberOfPoints();
+  mesh.Points.resize(numberOfPoints);
+  for (vtkIdType ptId = 0; ptId < numberOfPoints; ++ptId)
+  {
+    poly->GetPoint(ptId, mesh.Points[ptId].data());
+    if (!mesh.Points[ptId].allFinite())
+    {
+      throw Error(where, "point " + std::to_string(ptId) + " is not finite");
+    }
+  }
+  mesh.Triangles.reserve(poly->GetNumberOfPolys());
+  auto cells = vtk::TakeSmartPointer(poly->GetPolys()->NewIterator());
+  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    cells->GetCurrentCell(size, ids);
+    if (size != 3)
+    {
+      throw Error(where, "a cell is not a triangle", std::to_string(size) + " corners", "3");
+    }
+    mesh.Triangles.emplace_back(
+      static_cast<int>(ids[0]), static_cast<int>(ids[1]), static_cast<int>(ids[2]));
+  }
+  return mesh;
+}
+
+void FromTriangleMesh(const TriangleMesh& mesh, vtkPolyData* out)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(mesh.Points.size()));
+  for (std::size_t ptId = 0; ptId < mesh.Points.size(); ++ptId)
+  {
+    points->SetPoint(static_cast<vtkIdType>(ptId), mesh.Points[ptId].data());
+  }
+  vtkNew<vtkCellArray> cells;
+  cells->AllocateExact(static_cast<vtkIdType>(mesh.Triangles.size()),
+    static_cast<vtkIdType>(3 * mesh.Triangles.size()));
+  for (const Eigen::Vector3i& t : mesh.Triangles)
+  {
+    const vtkIdType ids[3] = { t[0], t[1], t[2] };
+    cells->InsertNextCell(3, ids);
+  }
+  out->SetPoints(points);
+  out->SetPolys(cells);
+}
+}

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * The data model of the views, and the only place that knows how it is laid out.
+ *
+ * Views are one vtkMultiBlockDataSet with a vtkImageData block per photograph (origin 0, spacing 1,
+ * VTK's bottom-up rows; block name = the photograph's name):
+ *
+ *   point data  Color            uint8 x 3   RGB
+ *               Mask             uint8       above 127 = object
+ *               ContourDistance  float       signed distance to the silhouette's contour, pixels,
+ *                                            positive inside
+ *               Depth            float       optional: depth in world units, 0 = unknown
+ *               Confidence       float       optional: of the depth, 0 to 1
+ *   field data  CameraMatrix (9, row-major), Rotation (9, row-major), Translation (3)
+ *
+ * Functions throw novelview::Error.
+ */
+#ifndef novelview_ViewAccess_h
+#define novelview_ViewAccess_h
+
+#include "TriangleMesh.h"
+#include "View.h"
+#include "vtkNovelViewFiltersModule.h"
+
+#include <vtkSmartPointer.h>
+
+#include <string>
+#include <vector>
+
+class vtkImageData;
+class vtkMultiBlockDataSet;
+class vtkPinholeCamera;
+class vtkPolyData;
+
+namespace novelview
+{
+namespace arrays
+{
+inline constexpr const char* Color = "Color";
+inline constexpr const char* Mask = "Mask";
+inline constexpr const char* ContourDistance = "ContourDistance";
+inline constexpr const char* Depth = "Depth";
+inline constexpr const char* Confidence = "Confidence";
+inline constexpr const char* CellId = "CellId";
+inline constexpr const char* Seen = "Seen";
+inline constexpr const char* CameraMatrix = "CameraMatrix";
+inline constexpr const char* Rotation = "Rotation";
+inline constexpr const char* Translation = "Translation";
+}
+
+/** An image block of this size without arrays. */
+VTKNOVELVIEWFILTERS_EXPORT vtkSmartPointer<vtkImageData> NewImage(int width, int height);
+
+/**
+ * Adds (or replaces) a point array of `channels` components and returns it as rows from the top.
+ * Together with TopDownArray this is the bottom-up flip of the project: VTK's first row is the
+ * bottom one, so the reference starts at the last row and has a negative stride.
+ */
+template <class T>
+ImageRef<T> AddTopDownArray(vtkImageData* image, const char* name, int channels);
+
+/**
+ * A point array as rows from the top; empty when the image has no such array and `required` is
+ * false. Throws when the array has another type or number of components.
+ */
+template <class T>
+ImageRef<T> TopDownArray(
+  vtkImageData* image, const char* name, int channels, const std::string& where, bool required);
+
+/** Writes a camera into the field arrays of an image block, or reads it back. */
+VTKNOVELVIEWFILTERS_EXPORT void AttachCamera(vtkImageData* image, const Camera& camera);
+VTKNOVELVIEWFILTERS_EXPORT Camera AttachedCamera(vtkImageData* image, const std::string& where);
+
+/** Appends a block. */
+VTKNOVELVIEWFILTERS_EXPORT void AppendView(
+  vtkMultiBlockDataSet* views, const std::string& name, vtkImageData* image, const Camera& camera);
+
+/** The name and image of a block. Throws when it is not an image. */
+VTKNOVELVIEWFILTERS_EXPORT std::string ViewName(vtkMultiBlockDataSet* views, unsigned int viewId);
+VTKNOVELVIEWFILTERS_EXPORT vtkImageData* ViewImage(
+  vtkMultiBlockDataSet* views, unsigned int viewId);
+
+/** Which optional things a reader of views needs. */
+struct ViewNeeds
+{
+  bool Color = false;
+  bool Mask = true;
+  bool ContourDistance = false;
+};
+
+/**
+ * All views with their pixels borrowed from the blocks, every camera validated, at least
+ * `atLeast` of them.
+ */
+VTKNOVELVIEWFILTERS_EXPORT std::vector<View> ReadViews(
+  vtkMultiBlockDataSet* views, const ViewNeeds& needs, std::size_t atLeast = 1);
+
+VTKNOVELVIEWFILTERS_EXPORT Camera ToCamera(vtkPinholeCamera* camera);
+VTKNOVELVIEWFILTERS_EXPORT void FromCamera(const Camera& camera, vtkPinholeCamera* out);
+VTKNOVELVIEWFILTERS_EXPORT vtkSmartPointer<vtkPinholeCamera> NewPinholeCamera(const Camera& camera);
+
+/** Triangles of a vtkPolyData; throws when a cell is no triangle or a coordinate is not finite. */
+VTKNOVELVIEWFILTERS_EXPORT TriangleMesh ToTriangleMesh(vtkPolyData* poly, const std::string& where);
+/** Points (double) and triangles into a vtkPolyData; attributes are left alone. */
+VTKNOVELVIEWFILTERS_EXPORT void FromTriangleMesh(const TriangleMesh& mesh, vtkPolyData* out);
+}
+
+#endif

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef novelview_TriangleMesh_h
+#define novelview_TriangleMesh_h
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace novelview
+{
+/** An indexed triangle mesh. Faces are counter-clockwise seen from outside. */
+struct TriangleMesh
+{
+  std::vector<Eigen::Vector3d> Points;
+  std::vector<Eigen::Vector3i> Triangles; ///< three point ids each
+};
+
+/** Points with their outward unit normals. */
+struct OrientedPoints
+{
+  std::vector<Eigen::Vector3d> Points;
+  std::vector<Eigen::Vector3d> Normals;
+};
+}
+
+#endif
