@@ -9,6 +9,7 @@
 #include <vtkCellArrayIterator.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
+#include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkMultiBlockDataSet.h>
@@ -277,5 +278,18 @@ void FromTriangleMesh(const TriangleMesh& mesh, vtkPolyData* out)
   }
   out->SetPoints(points);
   out->SetPolys(cells);
+}
+
+vtkSmartPointer<vtkFloatArray> NewNormals(const std::vector<Eigen::Vector3d>& normals)
+{
+  auto array = vtkSmartPointer<vtkFloatArray>::New();
+  array->SetName("Normals");
+  array->SetNumberOfComponents(3);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(normals.size()));
+  for (std::size_t ptId = 0; ptId < normals.size(); ++ptId)
+  {
+    array->SetTuple(static_cast<vtkIdType>(ptId), normals[ptId].data());
+  }
+  return array;
 }
 }
