@@ -5,13 +5,16 @@
 
 #include "Error.h"
 #include "Execution.h"
+#include "Threads.h"
+#include "ViewAccess.h"
+#include "vtkPinholeCamera.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkDataObject.h>
 #include <vtkInformationVector.h>
-#include <vtkSMPTools.h>
 #include <vtkSetGet.h>
 
+#include <algorithm>
 #include <exception>
 
 namespace novelview
@@ -20,11 +23,7 @@ namespace novelview
 inline Execution ExecutionFor(vtkAlgorithm* filter)
 {
   Execution execution;
-  execution.ParallelFor = [](std::int64_t count, const Execution::RangeBody& body)
-  {
-    vtkSMPTools::For(
-      0, static_cast<vtkIdType>(count), [&](vtkIdType b, vtkIdType e) { body(b, e); });
-  };
+  execution.ParallelFor = ParallelFor;
   execution.Progress = [filter](double fraction)
   {
     filter->UpdateProgress(fraction);
@@ -56,6 +55,49 @@ int RunGuarded(vtkAlgorithm* filter, vtkInformationVector* outputs, const Body& 
     }
     vtkErrorWithObjectMacro(filter, << error.what());
     return 0;
+  }
+}
+
+// ---- the camera member of a filter ----------------------------------------------------------
+
+inline void SetCameraMember(
+  vtkObject* filter, vtkSmartPointer<vtkPinholeCamera>& member, vtkPinholeCamera* camera)
+{
+  if (member != camera)
+  {
+    member = camera;
+    filter->Modified();
+  }
+}
+
+inline vtkMTimeType MTimeWithCamera(vtkMTimeType own, vtkPinholeCamera* camera)
+{
+  return camera ? std::max(own, camera->GetMTime()) : own;
+}
+
+/** The camera as kernels want it, validated; throws when there is none. */
+inline Camera RequireCamera(vtkPinholeCamera* camera)
+{
+  if (!camera)
+  {
+    throw Error("novel camera", "none is set");
+  }
+  const Camera result = ToCamera(camera);
+  ValidateCamera(result, "novel camera");
+  return result;
+}
+
+inline void PrintCamera(ostream& os, vtkIndent indent, vtkPinholeCamera* camera)
+{
+  os << indent << "Camera: ";
+  if (camera)
+  {
+    os << "\n";
+    camera->PrintSelf(os, indent.GetNextIndent());
+  }
+  else
+  {
+    os << "(none)\n";
   }
 }
 }

@@ -9,6 +9,7 @@
 #include <vtkCellArrayIterator.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
+#include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkMultiBlockDataSet.h>
@@ -277,5 +278,32 @@ void FromTriangleMesh(const TriangleMesh& mesh, vtkPolyData* out)
   }
   out->SetPoints(points);
   out->SetPolys(cells);
+}
+
+std::vector<std::uint8_t> PointFlags(vtkPolyData* poly, const char* name, std::uint8_t otherwise)
+{
+  const vtkIdType count = poly->GetNumberOfPoints();
+  std::vector<std::uint8_t> flags(count, otherwise);
+  if (vtkDataArray* array = poly->GetPointData()->GetArray(name))
+  {
+    for (vtkIdType ptId = 0; ptId < count; ++ptId)
+    {
+      flags[ptId] = array->GetComponent(ptId, 0) != 0;
+    }
+  }
+  return flags;
+}
+
+vtkSmartPointer<vtkFloatArray> NewNormals(const std::vector<Eigen::Vector3d>& normals)
+{
+  auto array = vtkSmartPointer<vtkFloatArray>::New();
+  array->SetName("Normals");
+  array->SetNumberOfComponents(3);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(normals.size()));
+  for (std::size_t ptId = 0; ptId < normals.size(); ++ptId)
+  {
+    array->SetTuple(static_cast<vtkIdType>(ptId), normals[ptId].data());
+  }
+  return array;
 }
 }

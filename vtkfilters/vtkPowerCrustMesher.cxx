@@ -15,6 +15,7 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 #include <vtkUnsignedCharArray.h>
 
 vtkStandardNewMacro(vtkPowerCrustMesher);
@@ -41,9 +42,9 @@ std::vector<Eigen::Vector3d> UnpackNormals(vtkDataArray* normals)
   return result;
 }
 
-vtkNew<vtkPoints> PackPoints(const std::vector<Eigen::Vector3d>& points)
+vtkSmartPointer<vtkPoints> PackPoints(const std::vector<Eigen::Vector3d>& points)
 {
-  vtkNew<vtkPoints> packed;
+  auto packed = vtkSmartPointer<vtkPoints>::New();
   packed->SetDataTypeToDouble();
   packed->SetNumberOfPoints(static_cast<vtkIdType>(points.size()));
   for (std::size_t i = 0; i < points.size(); ++i)

@@ -29,6 +29,12 @@ public:
   {
   }
 
+  /** Pixels to write are pixels to read. */
+  operator ImageRef<const T>() const requires(!std::is_const_v<T>)
+  {
+    return { this->TopLeft, this->Width, this->Height, this->Channels, this->RowStride };
+  }
+
   bool Empty() const { return this->TopLeft == nullptr; }
   T* Row(int y) const { return this->TopLeft + y * this->RowStride; }
   T* Pixel(int x, int y) const { return this->Row(y) + x * this->Channels; }

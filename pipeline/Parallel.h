@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef novelview_Parallel_h
+#define novelview_Parallel_h
+
+#include <cstddef>
+#include <functional>
+
+namespace novelview
+{
+/**
+ * Calls body(i) for every i below `count`, spread over the threads that LimitThreads() allows.
+ * When some of the calls throw, the exception of the lowest i is thrown on, at any thread count.
+ */
+void ParallelForEach(std::size_t count, const std::function<void(std::size_t i)>& body);
+
+/** Limits the threads of everything: filters, reading, OpenCV. 0 = one per core. */
+void LimitThreads(int threads);
+}
+
+#endif

@@ -1,0 +1,375 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Silhouette.h"
+
+#include "Error.h"
+#include "OpenCvPixels.h"
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+
+namespace novelview
+{
+namespace
+{
+using Pixel = cv::Vec3b;
+
+/** Width of the border that the background's colour is learnt from. */
+int BorderPx(const cv::Mat& photo)
+{
+  return std::max(2, std::min(photo.cols, photo.rows) / 50);
+}
+
+cv::Mat BorderMask(const cv::Mat& photo)
+{
+  cv::Mat border(photo.size(), CV_8U, cv::Scalar(255));
+  const int width = BorderPx(photo);
+  const cv::Rect middle(width, width, photo.cols - 2 * width, photo.rows - 2 * width);
+  if (middle.width > 0 && middle.height > 0)
+  {
+    border(middle).setTo(0);
+  }
+  return border;
+}
+
+int Difference(const Pixel& a, const cv::Vec3d& b)
+{
+  double largest = 0;
+  for (int channel = 0; channel < 3; ++channel)
+  {
+    largest = std::max(largest, std::abs(a[channel] - b[channel]));
+  }
+  return static_cast<int>(std::lround(largest));
+}
+
+/** Mean of the colours within `radius` levels of `around`. */
+cv::Vec3d MeanAround(const std::vector<Pixel>& colours, const cv::Vec3d& around, int radius)
+{
+  cv::Vec3d sum(0, 0, 0);
+  double count = 0;
+  for (const Pixel& colour : colours)
+  {
+    if (Difference(colour, around) <= radius)
+    {
+      sum += cv::Vec3d(colour);
+      count += 1;
+    }
+  }
+  return count > 0 ? sum / count : around;
+}
+
+/** The most frequent colour of the border: the fullest bin, then a few steps of mean shift. */
+cv::Vec3d BackgroundColour(const cv::Mat& photo, const cv::Mat& border)
+{
+  constexpr int binLevels = 16;
+  std::vector<Pixel> colours;
+  std::map<int, int> bins;
+  for (int y = 0; y < photo.rows; ++y)
+  {
+    for (int x = 0; x < photo.cols; ++x)
+    {
+      if (border.at<std::uint8_t>(y, x))
+      {
+        const Pixel& colour = photo.at<Pixel>(y, x);
+        colours.push_back(colour);
+        ++bins[colour[0] / binLevels * 256 + colour[1] / binLevels * 16 + colour[2] / binLevels];
+      }
+    }
+  }
+  const auto fullest = std::max_element(
+    bins.begin(), bins.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  const int bin = fullest->first;
+  cv::Vec3d colour =
+    (cv::Vec3d(bin / 256, bin / 16 % 16, bin % 16) + cv::Vec3d(0.5, 0.5, 0.5)) * binLevels;
+  for (int step = 0; step < 5; ++step)
+  {
+    colour = MeanAround(colours, colour, binLevels);
+  }
+  return colour;
+}
+
+/**
+ * Difference from the background, 8 bits. With `shadows`, a pixel c is split into the shade of the
+ * background s b that is nearest to it and a rest; for a plausible shadow only the rest counts.
+ */
+cv::Mat DifferenceFrom(const cv::Mat& photo, const cv::Vec3d& background, bool shadows)
+{
+  // From here on a colour is clear enough to recognise its shades, and a cast shadow still has
+  // some light: no shadow outdoors or in a studio is darker than a quarter.
+  constexpr double clearChroma = 48;
+  constexpr double darkestShadow = 0.25;
+  const auto [least, most] = std::minmax({ background[0], background[1], background[2] });
+  shadows = shadows && most - least >= clearChroma;
+  cv::Mat difference(photo.size(), CV_8U);
+  for (int y = 0; y < photo.rows; ++y)
+  {
+    for (int x = 0; x < photo.cols; ++x)
+    {
+      const Pixel& colour = photo.at<Pixel>(y, x);
+      const double shade = cv::Vec3d(colour).dot(background) / background.dot(background);
+      const bool shadow = shadows && shade < 1 && shade > darkestShadow;
+      difference.at<std::uint8_t>(y, x) = static_cast<std::uint8_t>(
+        Difference(colour, shadow ? cv::Vec3d(background * shade) : background));
+    }
+  }
+  return difference;
+}
+
+struct Levels
+{
+  int Noise = 0; ///< median of the background's own differences
+  int Low = 0;   ///< above it: may be object
+  int High = 0;  ///< above it: surely object
+};
+
+Levels ChooseLevels(
+  const cv::Mat& difference, const cv::Mat& border, const std::optional<double>& level)
+{
+  Levels levels;
+  cv::Mat unused;
+  levels.High = static_cast<int>(
+    cv::threshold(difference, unused, 0, 255, cv::THRESH_BINARY | cv::THRESH_OTSU));
+  std::vector<int> background;
+  for (int y = 0; y < difference.rows; ++y)
+  {
+    for (int x = 0; x < difference.cols; ++x)
+    {
+      const int value = difference.at<std::uint8_t>(y, x);
+      if (border.at<std::uint8_t>(y, x) && value <= levels.High)
+      {
+        background.push_back(value);
+      }
+    }
+  }
+  const auto median = [](std::vector<int>& values)
+  {
+    const auto middle = values.begin() + values.size() / 2;
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+  };
+  int spread = 0;
+  if (!background.empty())
+  {
+    levels.Noise = median(background);
+    for (int& value : background)
+    {
+      value = std::abs(value - levels.Noise);
+    }
+    spread = median(background);
+  }
+  // Six standard deviations of the noise (1.48 median deviations each), and two levels for what
+  // rounding hides.
+  levels.Low = std::min(levels.High, levels.Noise + static_cast<int>(6 * 1.48 * spread) + 2);
+  if (level)
+  {
+    levels.Low = levels.High = static_cast<int>(std::ceil(*level)) - 1;
+  }
+  return levels;
+}
+
+/** The components of `candidates` that hold at least one pixel of `sure`. */
+cv::Mat ConnectedTo(const cv::Mat& candidates, const cv::Mat& sure)
+{
+  cv::Mat labels;
+  const int count = cv::connectedComponents(candidates, labels, 8);
+  std::vector<bool> keep(count, false);
+  for (int y = 0; y < labels.rows; ++y)
+  {
+    for (int x = 0; x < labels.cols; ++x)
+    {
+      if (sure.at<std::uint8_t>(y, x))
+      {
+        keep[labels.at<int>(y, x)] = true;
+      }
+    }
+  }
+  keep[0] = false;
+  cv::Mat result(candidates.size(), CV_8U);
+  for (int y = 0; y < labels.rows; ++y)
+  {
+    for (int x = 0; x < labels.cols; ++x)
+    {
+      result.at<std::uint8_t>(y, x) = keep[labels.at<int>(y, x)] ? 255 : 0;
+    }
+  }
+  return result;
+}
+
+cv::Mat LargestComponent(const cv::Mat& mask)
+{
+  cv::Mat labels;
+  cv::Mat stats;
+  cv::Mat centroids;
+  const int count = cv::connectedComponentsWithStats(mask, labels, stats, centroids, 8);
+  int largest = 0;
+  for (int label = 1; label < count; ++label)
+  {
+    if (largest == 0 ||
+      stats.at<int>(label, cv::CC_STAT_AREA) > stats.at<int>(largest, cv::CC_STAT_AREA))
+    {
+      largest = label;
+    }
+  }
+  return largest > 0 ? cv::Mat(labels == largest) : cv::Mat(cv::Mat::zeros(mask.size(), CV_8U));
+}
+
+/** Fills the enclosed background components below a part of the object's area. */
+void FillSmallHoles(cv::Mat& mask, double smallHole)
+{
+  const double limit = smallHole * cv::countNonZero(mask);
+  cv::Mat labels;
+  cv::Mat stats;
+  cv::Mat centroids;
+  const int count = cv::connectedComponentsWithStats(mask == 0, labels, stats, centroids, 4);
+  for (int label = 1; label < count; ++label)
+  {
+    const int left = stats.at<int>(label, cv::CC_STAT_LEFT);
+    const int top = stats.at<int>(label, cv::CC_STAT_TOP);
+    const bool open = left == 0 || top == 0 ||
+      left + stats.at<int>(label, cv::CC_STAT_WIDTH) == mask.cols ||
+      top + stats.at<int>(label, cv::CC_STAT_HEIGHT) == mask.rows;
+    if (!open && stats.at<int>(label, cv::CC_STAT_AREA) < limit)
+    {
+      mask.setTo(255, labels == label);
+    }
+  }
+}
+
+/** Closing that treats the frame as neither object nor background. */
+cv::Mat Close(const cv::Mat& mask, int radiusPx)
+{
+  if (radiusPx < 1)
+  {
+    return mask;
+  }
+  const int size = 2 * radiusPx + 1;
+  cv::Mat padded;
+  cv::copyMakeBorder(mask, padded, size, size, size, size, cv::BORDER_REPLICATE);
+  cv::morphologyEx(padded, padded, cv::MORPH_CLOSE,
+    cv::getStructuringElement(cv::MORPH_ELLIPSE, cv::Size(size, size)));
+  return padded(cv::Rect(size, size, mask.cols, mask.rows)).clone();
+}
+
+/**
+ * Coverage near the mask's rim: the difference over the largest one of the object close by, so that
+ * 0.5 is the half height of the edge. Elsewhere the mask itself.
+ */
+cv::Mat SoftenRim(const cv::Mat& mask, const cv::Mat& difference, int noise)
+{
+  // The blur of a photograph: the rim lies within two pixels of where a low level puts it, and the
+  // object's full difference is reached within two more.
+  constexpr int rimPx = 2;
+  const auto disc = [](int radiusPx)
+  {
+    return cv::getStructuringElement(
+      cv::MORPH_ELLIPSE, cv::Size(2 * radiusPx + 1, 2 * radiusPx + 1));
+  };
+  cv::Mat outer;
+  cv::Mat inner;
+  cv::Mat object;
+  cv::Mat full;
+  cv::dilate(mask, outer, disc(1));
+  cv::erode(mask, inner, disc(rimPx));
+  cv::bitwise_and(difference, mask, object);
+  cv::dilate(object, full, disc(rimPx));
+  cv::Mat result = mask.clone();
+  for (int y = 0; y < mask.rows; ++y)
+  {
+    for (int x = 0; x < mask.cols; ++x)
+    {
+      const int height = full.at<std::uint8_t>(y, x) - noise;
+      if (outer.at<std::uint8_t>(y, x) && !inner.at<std::uint8_t>(y, x) && height > 0)
+      {
+        const double coverage = (difference.at<std::uint8_t>(y, x) - noise) / double(height);
+        result.at<std::uint8_t>(y, x) =
+          static_cast<std::uint8_t>(std::lround(255 * std::clamp(coverage, 0.0, 1.0)));
+      }
+    }
+  }
+  return result;
+}
+}
+
+Image<std::uint8_t> ExtractSilhouette(
+  const ImageRef<const std::uint8_t>& photo, const SilhouetteOptions& options)
+{
+  const cv::Mat pixels = ToMat(photo);
+  const cv::Mat border = BorderMask(pixels);
+  const cv::Vec3d background = BackgroundColour(pixels, border);
+  const cv::Mat difference = DifferenceFrom(pixels, background, options.IgnoreShadows);
+  const Levels levels = ChooseLevels(difference, border, options.Level);
+  cv::Mat mask = ConnectedTo(difference > levels.Low, difference > levels.High);
+  mask = LargestComponent(Close(mask, options.ClosingPx));
+  FillSmallHoles(mask, options.SmallHole);
+  if (!options.Level)
+  {
+    mask = SoftenRim(mask, difference, levels.Noise);
+    // Softening may cut off specks that hung on by the blur alone.
+    const cv::Mat body = LargestComponent(mask > 127);
+    cv::Mat reach;
+    cv::dilate(body, reach, cv::Mat());
+    mask.setTo(0, reach == 0);
+  }
+  return FromMat<std::uint8_t>(mask);
+}
+
+Coverage MeasureCoverage(const ImageRef<const std::uint8_t>& mask)
+{
+  Coverage coverage;
+  std::int64_t count = 0;
+  for (int y = 0; y < mask.Height; ++y)
+  {
+    for (int x = 0; x < mask.Width; ++x)
+    {
+      if (mask(x, y) > 127)
+      {
+        ++count;
+        coverage.Left |= x == 0;
+        coverage.Right |= x == mask.Width - 1;
+        coverage.Top |= y == 0;
+        coverage.Bottom |= y == mask.Height - 1;
+      }
+    }
+  }
+  coverage.Fraction = double(count) / (double(mask.Width) * mask.Height);
+  return coverage;
+}
+
+std::vector<std::string> CheckCoverage(const Coverage& coverage, const std::string& where)
+{
+  if (coverage.Fraction == 0)
+  {
+    throw Error(where, "silhouette is empty");
+  }
+  if (coverage.Fraction == 1)
+  {
+    throw Error(where, "silhouette fills the whole frame");
+  }
+  std::vector<std::string> words;
+  if (coverage.TouchesBorder())
+  {
+    std::string sides;
+    const std::pair<bool, const char*> each[] = { { coverage.Left, "left" },
+      { coverage.Right, "right" }, { coverage.Top, "top" }, { coverage.Bottom, "bottom" } };
+    for (const auto& [touches, name] : each)
+    {
+      sides += touches ? (sides.empty() ? "" : ", ") + std::string(name) : "";
+    }
+    words.push_back(where + ": the object leaves the frame (" + sides +
+      "); what lies outside it is treated as unknown");
+  }
+  // Objects that fill less than a two-hundredth of the frame, or all but a tenth of it, are more
+  // often a silhouette gone wrong than an object.
+  if (coverage.Fraction < 0.005 || coverage.Fraction > 0.9)
+  {
+    char percent[32];
+    std::snprintf(percent, sizeof(percent), "%.2f %%", 100 * coverage.Fraction);
+    words.push_back(
+      where + ": the silhouette covers " + percent + " of the frame; is that the object?");
+  }
+  return words;
+}
+}

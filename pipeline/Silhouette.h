@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * Silhouettes from photographs, and whether a silhouette can be trusted. The signed distance to a
+ * silhouette's contour is SignedContourDistance() of the kernels.
+ */
+#ifndef novelview_Silhouette_h
+#define novelview_Silhouette_h
+
+#include "ImageRef.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace novelview
+{
+/** How the object is told from a plain background. */
+struct SilhouetteOptions
+{
+  /** Difference from the background's colour (largest of the three channels, 0 to 255) from which
+   * a pixel is object. Chosen from the photograph when not given. */
+  std::optional<double> Level;
+  /** Gaps of up to twice this many pixels are closed. */
+  int ClosingPx = 2;
+  /** Holes smaller than this part of the object's area are filled; larger ones are real. */
+  double SmallHole = 0.002;
+  /** Take darker shades of a clearly coloured background for shadows the object casts on it. */
+  bool IgnoreShadows = true;
+};
+
+/**
+ * The silhouette of the one object in a photograph (3 channels, RGB) before a plain dark or plain
+ * coloured background. One channel: 255 inside, 0 outside, the coverage in between at the rim.
+ *
+ *  1. Background colour: the most frequent colour along the picture's border, so the object may
+ *     leave the frame.
+ *  2. Difference of every pixel from it. Before a coloured background, what differs only by being
+ *     darker is shadow and does not count.
+ *  3. Without a level two are chosen: Otsu's, which surely is object, and the end of the
+ *     background's own noise. Object is what rises above the noise and is connected to what surely
+ *     is object, so that parts in shadow are kept and specks of the background are not.
+ *  4. Closing, the largest component, small holes filled.
+ *  5. The rim is moved to where the difference is half of that just inside of it, since a bright
+ *     object's blur is brighter than any low level.
+ *
+ * Parts of the object as dark as a dark background cannot be told from it; give masks for those.
+ * A photograph without any difference gives an empty silhouette.
+ */
+Image<std::uint8_t> ExtractSilhouette(
+  const ImageRef<const std::uint8_t>& photo, const SilhouetteOptions& options = {});
+
+/** How much of the frame a silhouette covers, and which sides of the frame it touches. */
+struct Coverage
+{
+  double Fraction = 0; ///< 0 to 1, pixels above 127
+  bool Left = false;
+  bool Right = false;
+  bool Top = false;
+  bool Bottom = false;
+
+  bool TouchesBorder() const { return this->Left || this->Right || this->Top || this->Bottom; }
+};
+Coverage MeasureCoverage(const ImageRef<const std::uint8_t>& mask);
+
+/**
+ * Throws Error when a silhouette is empty or full; returns a sentence for each thing worth telling
+ * (the object leaves the frame, covers almost nothing or almost everything).
+ */
+std::vector<std::string> CheckCoverage(const Coverage& coverage, const std::string& where);
+}
+
+#endif

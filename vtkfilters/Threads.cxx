@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Threads.h"
+
+#include <vtkSMPTools.h>
+
+namespace novelview
+{
+void ParallelFor(
+  std::int64_t count, const std::function<void(std::int64_t begin, std::int64_t end)>& body)
+{
+  vtkSMPTools::For(0, static_cast<vtkIdType>(count),
+    [&body](vtkIdType begin, vtkIdType end) { body(begin, end); });
+}
+
+void SetNumberOfThreads(int count)
+{
+  vtkSMPTools::Initialize(count);
+}
+
+int NumberOfThreads()
+{
+  return vtkSMPTools::GetEstimatedNumberOfThreads();
+}
+}

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The one place that includes vtkSMPTools: VTK 9.1's header does not compile as C++20, so its source
+// file is compiled as C++17.
+#ifndef novelview_Threads_h
+#define novelview_Threads_h
+
+#include "vtkNovelViewFiltersModule.h"
+
+#include <cstdint>
+#include <functional>
+
+namespace novelview
+{
+/** vtkSMPTools::For over [0, count). */
+VTKNOVELVIEWFILTERS_EXPORT void ParallelFor(
+  std::int64_t count, const std::function<void(std::int64_t begin, std::int64_t end)>& body);
+
+/** How many threads ParallelFor uses from now on; 0 = one per core. */
+VTKNOVELVIEWFILTERS_EXPORT void SetNumberOfThreads(int count);
+
+/** How many it is estimated to use. */
+VTKNOVELVIEWFILTERS_EXPORT int NumberOfThreads();
+}
+
+#endif

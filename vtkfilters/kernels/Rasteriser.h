@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef novelview_Rasteriser_h
+#define novelview_Rasteriser_h
+
+#include "Camera.h"
+#include "Execution.h"
+#include "ImageRef.h"
+#include "TriangleMesh.h"
+
+namespace novelview
+{
+/** What a camera sees of a mesh, per pixel: the paper's mesh lookup table. */
+struct ItemBuffer
+{
+  Image<int> CellId;  ///< front triangle, -1 = background
+  Image<float> Depth; ///< its depth at the pixel's centre; infinity = background
+
+  bool Hit(int x, int y) const { return this->CellId(x, y) >= 0; }
+};
+
+/**
+ * Rasterises a mesh into a camera's frame. A pixel belongs to a triangle when its centre lies in
+ * the projected triangle (edges included); the nearest triangle wins, the lowest id among equals.
+ * Triangles of both orientations are drawn. Triangles with a corner at or behind the camera's plane
+ * are left out.
+ *
+ * Exact in depth (1/z is linear in the picture) and the same bits for any number of threads.
+ */
+ItemBuffer Rasterise(
+  const TriangleMesh& mesh, const Camera& camera, const Execution& execution = {});
+
+/**
+ * How much deeper a point at depth z that projects to `pixel` lies than the surface a depth image
+ * shows there, world units; negative = in front. The surface is the deepest of the 3x3 pixels
+ * around, since at a slanted surface neighbours differ by more than any sensible tolerance.
+ * Minus infinity where the depth image is empty (0 or infinity) or the pixel is outside it.
+ */
+double DepthBehind(const ImageRef<const float>& depth, const Eigen::Vector2d& pixel, double z);
+
+/**
+ * The camera whose picture is `factor` times as large in each direction and covers the same frame:
+ * each pixel of `camera` is factor x factor pixels of the result.
+ */
+Camera Supersampled(const Camera& camera, int factor);
+}
+
+#endif

@@ -1,0 +1,477 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "VisualHull.h"
+
+#include "SearchBox.h"
+#include "SilhouetteField.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+
+namespace novelview
+{
+namespace
+{
+using Eigen::Vector3d;
+using Eigen::Vector3i;
+
+constexpr int BlockCells = 4;           ///< lattice cells along a block's side
+constexpr int Corners = BlockCells + 1; ///< lattice points along a block's side
+
+/** The lattice: cell (i,j,k) spans Origin + Spacing * [i, i+1) x ... */
+struct Lattice
+{
+  Vector3d Origin;
+  double Spacing;
+  Vector3i Blocks; ///< number along each axis
+
+  Vector3d Point(const Vector3i& index) const
+  {
+    return this->Origin + this->Spacing * index.cast<double>();
+  }
+};
+
+struct CellSample
+{
+  Vector3i Cell;
+  Vector3d Point;
+  Vector3d Normal;
+};
+
+double MedianFootprint(const std::vector<View>& views, const Vector3d& at)
+{
+  std::vector<double> sizes;
+  for (const View& view : views)
+  {
+    const double depth = view.Cam.Depth(at);
+    if (depth > 0)
+    {
+      sizes.push_back(view.Cam.PixelFootprint(depth));
+    }
+  }
+  if (sizes.empty())
+  {
+    throw Error("visual hull", "the middle of the search box lies behind every camera");
+  }
+  std::nth_element(sizes.begin(), sizes.begin() + sizes.size() / 2, sizes.end());
+  return sizes[sizes.size() / 2];
+}
+
+/** Blocks that the surface may pass through, in a fixed order; and whether one is all inside. */
+std::vector<Vector3i> SurfaceBlocks(
+  const SilhouetteField& field, const Lattice& lattice, const Execution& execution)
+{
+  int size = 1;
+  while (size < lattice.Blocks.maxCoeff())
+  {
+    size *= 2;
+  }
+  std::vector<Vector3i> cubes{ Vector3i::Zero() };
+  const double blockSize = lattice.Spacing * BlockCells;
+  for (;; size /= 2)
+  {
+    std::vector<std::uint8_t> keep(cubes.size());
+    const double half = 0.5 * size * blockSize;
+    execution.ForEach(static_cast<std::int64_t>(cubes.size()),
+      [&](std::int64_t i)
+      {
+        if ((cubes[i].array() >= lattice.Blocks.array()).any())
+        {
+          return;
+        }
+        const Vector3d centre =
+          lattice.Origin + blockSize * cubes[i].cast<double>() + Vector3d::Constant(half);
+        keep[i] = field.Classify(centre, std::sqrt(3.0) * half) == SilhouetteField::Position::Mixed;
+      });
+    std::vector<Vector3i> next;
+    for (std::size_t i = 0; i < cubes.size(); ++i)
+    {
+      if (!keep[i])
+      {
+        continue;
+      }
+      if (size == 1)
+      {
+        next.push_back(cubes[i]);
+        continue;
+      }
+      for (int child = 0; child < 8; ++child)
+      {
+        next.push_back(cubes[i] + size / 2 * Vector3i(child & 1, (child >> 1) & 1, child >> 2));
+      }
+    }
+    cubes = std::move(next);
+    if (size == 1)
+    {
+      return cubes;
+    }
+  }
+}
+
+/** The point between a (f >= 0) and b (f < 0) where f changes sign. */
+Vector3d Bisect(const SilhouetteField& field, Vector3d a, Vector3d b)
+{
+  for (int step = 0; step < 16; ++step)
+  {
+    const Vector3d middle = 0.5 * (a + b);
+    (field.Value(middle) >= 0 ? a : b) = middle;
+  }
+  return a;
+}
+
+/**
+ * Moves a point near the surface onto it: along the gradient to the other side, then bisection.
+ * Returns false when the surface is not met within `reach`.
+ */
+bool MoveOntoSurface(const SilhouetteField& field, double reach, Vector3d& x)
+{
+  const double value = field.Value(x);
+  const Vector3d gradient = field.Gradient(x, 0.25 * reach);
+  const double slope = gradient.norm();
+  if (!(slope > 0) || !std::isfinite(value))
+  {
+    return false;
+  }
+  const Vector3d direction = (value >= 0 ? -1.0 : 1.0) / slope * gradient;
+  // f has a slope of about one, so |f| is the distance; walk a little further each time.
+  double step = std::max(1.25 * std::abs(value), 0.02 * reach);
+  for (; step <= reach; step *= 1.6)
+  {
+    const Vector3d beyond = x + step * direction;
+    if ((field.Value(beyond) >= 0) != (value >= 0))
+    {
+      x = value >= 0 ? Bisect(field, x, beyond) : Bisect(field, beyond, x);
+      return true;
+    }
+  }
+  return false;
+}
+
+/** Samples of one block, appended in the order of its cells. */
+class BlockSampler
+{
+public:
+  BlockSampler(const SilhouetteField& field, const Lattice& lattice)
+    : Field(field)
+    , Grid(lattice)
+  {
+  }
+
+  void Sample(const Vector3i& block, std::vector<CellSample>& out)
+  {
+    const Vector3i first = BlockCells * block;
+    for (int k = 0, n = 0; k < Corners; ++k)
+    {
+      for (int j = 0; j < Corners; ++j)
+      {
+        for (int i = 0; i < Corners; ++i, ++n)
+        {
+          this->Values[n] = this->Field.Value(this->Grid.Point(first + Vector3i(i, j, k)));
+        }
+      }
+    }
+    for (int k = 0; k < BlockCells; ++k)
+    {
+      for (int j = 0; j < BlockCells; ++j)
+      {
+        for (int i = 0; i < BlockCells; ++i)
+        {
+          this->SampleCell(first, Vector3i(i, j, k), out);
+        }
+      }
+    }
+  }
+
+private:
+  double ValueAt(const Vector3i& corner) const
+  {
+    return this->Values[(corner.z() * Corners + corner.y()) * Corners + corner.x()];
+  }
+
+  void SampleCell(const Vector3i& first, const Vector3i& cell, std::vector<CellSample>& out)
+  {
+    Vector3d sum = Vector3d::Zero();
+    Vector3d anyInside;
+    Vector3d anyOutside;
+    int crossings = 0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      for (int edge = 0; edge < 4; ++edge)
+      {
+        Vector3i from = cell;
+        from[(axis + 1) % 3] += edge & 1;
+        from[(axis + 2) % 3] += edge >> 1;
+        const Vector3i to = from + Vector3i::Unit(axis);
+        const double a = this->ValueAt(from);
+        const double b = this->ValueAt(to);
+        if ((a >= 0) == (b >= 0))
+        {
+          continue;
+        }
+        const Vector3d pointA = this->Grid.Point(first + from);
+        const Vector3d pointB = this->Grid.Point(first + to);
+        const double t = std::isfinite(a) && std::isfinite(b) ? a / (a - b) : 0.5;
+        sum += pointA + t * (pointB - pointA);
+        anyInside = a >= 0 ? pointA : pointB;
+        anyOutside = a >= 0 ? pointB : pointA;
+        ++crossings;
+      }
+    }
+    if (crossings == 0)
+    {
+      return;
+    }
+    CellSample sample;
+    sample.Cell = first + cell;
+    sample.Point = sum / crossings;
+    if (!MoveOntoSurface(this->Field, this->Grid.Spacing, sample.Point))
+    {
+      sample.Point = Bisect(this->Field, anyInside, anyOutside);
+    }
+    sample.Normal = -this->Field.Gradient(sample.Point, 0.25 * this->Grid.Spacing).normalized();
+    out.push_back(sample);
+  }
+
+  const SilhouetteField& Field;
+  const Lattice& Grid;
+  std::array<double, Corners * Corners * Corners> Values;
+};
+
+std::vector<CellSample> SampleBlocks(const SilhouetteField& field, const Lattice& lattice,
+  const std::vector<Vector3i>& blocks, const Execution& execution)
+{
+  std::vector<std::vector<CellSample>> perBlock(blocks.size());
+  const std::size_t chunk = 4096;
+  for (std::size_t begin = 0; begin < blocks.size(); begin += chunk)
+  {
+    const std::size_t count = std::min(chunk, blocks.size() - begin);
+    execution.ParallelFor(static_cast<std::int64_t>(count),
+      [&](std::int64_t first, std::int64_t last)
+      {
+        BlockSampler sampler(field, lattice);
+        for (std::int64_t i = first; i < last; ++i)
+        {
+          sampler.Sample(blocks[begin + i], perBlock[begin + i]);
+        }
+      });
+    execution.Report(0.1 + 0.8 * static_cast<double>(begin + count) / blocks.size());
+  }
+  std::vector<CellSample> samples;
+  for (const auto& part : perBlock)
+  {
+    samples.insert(samples.end(), part.begin(), part.end());
+  }
+  return samples;
+}
+
+/** Component number per sample; cells that touch (26 neighbours) are connected. */
+class ComponentFinder
+{
+public:
+  explicit ComponentFinder(const std::vector<CellSample>& samples)
+    : Parent(samples.size())
+  {
+    std::iota(this->Parent.begin(), this->Parent.end(), 0);
+    std::vector<std::pair<std::uint64_t, int>> keys(samples.size());
+    for (std::size_t i = 0; i < samples.size(); ++i)
+    {
+      keys[i] = { Key(samples[i].Cell), static_cast<int>(i) };
+    }
+    std::sort(keys.begin(), keys.end());
+    for (const auto& [key, sampleId] : keys)
+    {
+      this->ConnectForward(samples[sampleId].Cell, sampleId, keys);
+    }
+  }
+
+  int Root(int i)
+  {
+    while (this->Parent[i] != i)
+    {
+      this->Parent[i] = this->Parent[this->Parent[i]];
+      i = this->Parent[i];
+    }
+    return i;
+  }
+
+private:
+  static std::uint64_t Key(const Vector3i& cell)
+  {
+    return (static_cast<std::uint64_t>(cell.z() + 1) << 42) |
+      (static_cast<std::uint64_t>(cell.y() + 1) << 21) | static_cast<std::uint64_t>(cell.x() + 1);
+  }
+
+  void ConnectForward(
+    const Vector3i& cell, int sampleId, const std::vector<std::pair<std::uint64_t, int>>& keys)
+  {
+    for (int dz = 0; dz <= 1; ++dz)
+    {
+      for (int dy = dz ? -1 : 0; dy <= 1; ++dy)
+      {
+        // Three neighbours in x have consecutive keys.
+        const int dx = dz || dy ? -1 : 1;
+        const std::uint64_t low = Key(cell + Vector3i(dx, dy, dz));
+        const std::uint64_t high = Key(cell + Vector3i(1, dy, dz));
+        auto it = std::lower_bound(keys.begin(), keys.end(), std::make_pair(low, -1));
+        for (; it != keys.end() && it->first <= high; ++it)
+        {
+          this->Unite(sampleId, it->second);
+        }
+      }
+    }
+  }
+
+  void Unite(int a, int b)
+  {
+    a = this->Root(a);
+    b = this->Root(b);
+    this->Parent[std::max(a, b)] = std::min(a, b);
+  }
+
+  std::vector<int> Parent;
+};
+
+void KeepLargestComponent(std::vector<CellSample>& samples, bool keepAll, VisualHullResult& result)
+{
+  ComponentFinder components(samples);
+  std::vector<std::size_t> sizes(samples.size());
+  for (std::size_t i = 0; i < samples.size(); ++i)
+  {
+    ++sizes[components.Root(static_cast<int>(i))];
+  }
+  result.Components = static_cast<int>(
+    std::count_if(sizes.begin(), sizes.end(), [](std::size_t size) { return size > 0; }));
+  if (keepAll || result.Components <= 1)
+  {
+    return;
+  }
+  const int largest =
+    static_cast<int>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
+  std::vector<CellSample> kept;
+  for (std::size_t i = 0; i < samples.size(); ++i)
+  {
+    if (components.Root(static_cast<int>(i)) == largest)
+    {
+      kept.push_back(samples[i]);
+    }
+  }
+  result.DroppedComponents = result.Components - 1;
+  result.DroppedSamples = samples.size() - kept.size();
+  samples = std::move(kept);
+}
+
+/**
+ * Names the view that empties the hull: on a coarse lattice, the one that alone rejects the most
+ * points all others accept.
+ */
+[[noreturn]] void ThrowEmpty(const std::vector<View>& views, const Eigen::AlignedBox3d& box)
+{
+  std::size_t most = 0;
+  const View* culprit = nullptr;
+  for (const View& view : views)
+  {
+    std::vector<View> others;
+    for (const View& other : views)
+    {
+      if (&other != &view)
+      {
+        others.push_back(other);
+      }
+    }
+    const SilhouetteField field(others);
+    std::size_t accepted = 0;
+    constexpr int steps = 40;
+    for (int n = 0; n < steps * steps * steps; ++n)
+    {
+      const Vector3d at((n % steps) + 0.5, (n / steps) % steps + 0.5, n / (steps * steps) + 0.5);
+      accepted += field.Value(box.min() + box.sizes().cwiseProduct(at / steps)) >= 0;
+    }
+    if (accepted > most)
+    {
+      most = accepted;
+      culprit = &view;
+    }
+  }
+  if (culprit)
+  {
+    throw Error("view " + culprit->Name,
+      "its mask carves everything away; without it the visual hull is not empty: its mask or "
+      "camera is wrong");
+  }
+  throw Error("visual hull",
+    "it is empty in the search box, and no single view is to blame: check the box, masks and "
+    "cameras");
+}
+
+void CheckInsideBox(const std::vector<CellSample>& samples, const VisualHullResult& result)
+{
+  Eigen::AlignedBox3d extent;
+  for (const CellSample& sample : samples)
+  {
+    extent.extend(sample.Point);
+  }
+  const char* const sides[3] = { "x", "y", "z" };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const bool low = extent.min()[axis] < result.Box.min()[axis] + result.Spacing;
+    const bool high = extent.max()[axis] > result.Box.max()[axis] - result.Spacing;
+    if (low || high)
+    {
+      throw Error("visual hull",
+        std::string("it reaches the search box at ") + (low ? "min " : "max ") + sides[axis] +
+          " = " + std::to_string(low ? result.Box.min()[axis] : result.Box.max()[axis]) +
+          ": the silhouettes do not bound the object there, or the box is too small");
+    }
+  }
+}
+}
+
+VisualHullResult ComputeVisualHull(
+  const std::vector<View>& views, const VisualHullOptions& options, const Execution& execution)
+{
+  VisualHullResult result;
+  const SilhouetteField field(views);
+  result.Box = options.Box ? *options.Box : FindSearchBox(views);
+  result.Spacing = options.SpacingPx * MedianFootprint(views, result.Box.center());
+  if (!options.Box)
+  {
+    // The found box touches the hull; leave room for the test that it does not.
+    const Vector3d margin =
+      Vector3d::Constant(3 * result.Spacing + 0.01 * result.Box.diagonal().norm());
+    result.Box.min() -= margin;
+    result.Box.max() += margin;
+  }
+  Lattice lattice;
+  lattice.Spacing = result.Spacing;
+  lattice.Origin = result.Box.min();
+  lattice.Blocks =
+    (result.Box.sizes() / (result.Spacing * BlockCells)).array().ceil().cast<int>().max(1);
+  if (lattice.Blocks.maxCoeff() > 1 << 18)
+  {
+    throw Error("visual hull", "the search box is too large for the sample spacing",
+      std::to_string(lattice.Blocks.maxCoeff() * BlockCells) + " cells along a side",
+      "at most a million");
+  }
+  execution.Report(0.02);
+  const std::vector<Vector3i> blocks = SurfaceBlocks(field, lattice, execution);
+  execution.Report(0.1);
+  std::vector<CellSample> samples = SampleBlocks(field, lattice, blocks, execution);
+  if (samples.empty())
+  {
+    ThrowEmpty(views, result.Box);
+  }
+  KeepLargestComponent(samples, options.KeepAllComponents, result);
+  CheckInsideBox(samples, result);
+  result.Samples.Points.reserve(samples.size());
+  result.Samples.Normals.reserve(samples.size());
+  for (const CellSample& sample : samples)
+  {
+    result.Samples.Points.push_back(sample.Point);
+    result.Samples.Normals.push_back(sample.Normal);
+  }
+  execution.Report(1);
+  return result;
+}
+}

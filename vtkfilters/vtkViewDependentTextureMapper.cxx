@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkViewDependentTextureMapper.h"
+
+#include "FilterSupport.h"
+#include "TextureMapping.h"
+#include "ViewAccess.h"
+#include "vtkPinholeCamera.h"
+
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+
+#include <algorithm>
+#include <optional>
+
+vtkStandardNewMacro(vtkViewDependentTextureMapper);
+
+namespace
+{
+template <class T>
+void CopyArray(const novelview::Image<T>& from, const char* name, vtkImageData* to)
+{
+  const novelview::ImageRef<T> rows = novelview::AddTopDownArray<T>(to, name, from.Channels);
+  const std::size_t rowLength = static_cast<std::size_t>(from.Width) * from.Channels;
+  for (int y = 0; y < from.Height; ++y)
+  {
+    std::copy_n(from.Values.data() + y * rowLength, rowLength, rows.Row(y));
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+vtkViewDependentTextureMapper::vtkViewDependentTextureMapper()
+{
+  this->SetNumberOfInputPorts(3);
+}
+
+//------------------------------------------------------------------------------
+vtkViewDependentTextureMapper::~vtkViewDependentTextureMapper() = default;
+
+//------------------------------------------------------------------------------
+void vtkViewDependentTextureMapper::SetCamera(vtkPinholeCamera* camera)
+{
+  novelview::SetCameraMember(this, this->Camera, camera);
+}
+
+//------------------------------------------------------------------------------
+vtkPinholeCamera* vtkViewDependentTextureMapper::GetCamera()
+{
+  return this->Camera;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkViewDependentTextureMapper::GetMTime()
+{
+  return novelview::MTimeWithCamera(this->Superclass::GetMTime(), this->Camera);
+}
+
+//------------------------------------------------------------------------------
+int vtkViewDependentTextureMapper::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(
+    vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 1 ? "vtkMultiBlockDataSet" : "vtkPolyData");
+  if (port == 2)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkViewDependentTextureMapper::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  vtkInformation* info = outputs->GetInformationObject(0);
+  const int* size = this->Camera ? this->Camera->GetImageSize() : nullptr;
+  const int extent[6] = { 0, size ? size[0] - 1 : -1, 0, size ? size[1] - 1 : -1, 0, 0 };
+  const double zeros[3] = { 0, 0, 0 };
+  const double ones[3] = { 1, 1, 1 };
+  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  info->Set(vtkDataObject::ORIGIN(), zeros, 3);
+  info->Set(vtkDataObject::SPACING(), ones, 3);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkViewDependentTextureMapper::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  return novelview::RunGuarded(this, outputs,
+    [&]
+    {
+      const novelview::Camera camera = novelview::RequireCamera(this->Camera);
+      const novelview::TriangleMesh mesh =
+        novelview::ToTriangleMesh(vtkPolyData::GetData(inputs[0]), "mesh");
+      std::optional<novelview::TriangleMesh> occluders;
+      if (vtkPolyData* input = vtkPolyData::GetData(inputs[2]))
+      {
+        occluders = novelview::ToTriangleMesh(input, "occluders");
+      }
+      novelview::ViewNeeds needs;
+      needs.Color = needs.ContourDistance = true;
+      const std::vector<novelview::View> views =
+        novelview::ReadViews(vtkMultiBlockDataSet::GetData(inputs[1]), needs);
+
+      novelview::TextureOptions options;
+      options.References = this->References;
+      options.Power = this->Power;
+      options.FeatherPx = this->FeatherWidth;
+      options.OcclusionPx = this->OcclusionSoftness;
+      options.UseDepthMaps = this->UseDepthMaps;
+      options.RimSamples = this->RimSamples | 1;
+      const novelview::TexturedView result = novelview::TextureView(mesh,
+        occluders ? &*occluders : nullptr, views, camera, options, novelview::ExecutionFor(this));
+
+      vtkImageData* output = vtkImageData::GetData(outputs);
+      output->SetDimensions(camera.Width, camera.Height, 1);
+      CopyArray(result.Color, novelview::arrays::Color, output);
+      CopyArray(result.Mask, novelview::arrays::Mask, output);
+      CopyArray(result.Depth, novelview::arrays::Depth, output);
+      CopyArray(result.CellId, novelview::arrays::CellId, output);
+      CopyArray(result.Seen, novelview::arrays::Seen, output);
+      output->GetPointData()->SetActiveScalars(novelview::arrays::Color);
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkViewDependentTextureMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  novelview::PrintCamera(os, indent, this->Camera);
+  os << indent << "References: " << this->References << "\n";
+  os << indent << "Power: " << this->Power << "\n";
+  os << indent << "FeatherWidth: " << this->FeatherWidth << "\n";
+  os << indent << "OcclusionSoftness: " << this->OcclusionSoftness << "\n";
+  os << indent << "UseDepthMaps: " << this->UseDepthMaps << "\n";
+  os << indent << "RimSamples: " << this->RimSamples << "\n";
+}

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class vtkViewDependentTextureMapper
+ * @brief The picture a camera takes of a mesh, coloured from calibrated photographs.
+ *
+ * The mesh lookup table (the mesh rasterised into the camera, in software) gives every pixel its
+ * surface point V. Its colour is
+ *
+ *     sum_c W_c^m I_c(project(V)) / sum_c W_c^m
+ *
+ * over the References photographs nearest in viewing direction that see V, W_c being the cosine
+ * between the novel and the reference viewing ray, I_c bilinear. A photograph sees V when V is not
+ * deeper than the model there, and V projects inside its silhouette, away from the border.
+ *
+ * Ports:
+ *  - in 0: vtkPolyData, triangles.
+ *  - in 1: vtkMultiBlockDataSet, the views (see ViewAccess.h) with `Color`, `Mask`,
+ *    `ContourDistance`, and `Depth` when UseDepthMaps is on.
+ *  - in 2 (optional): vtkPolyData, triangles that also stand between photographs and mesh, such as
+ *    those a vtkVisibilityCuller removed.
+ *  - out 0: vtkImageData of the camera's size (bottom-up rows) with point arrays
+ *      `Color` (uint8 x 3), black outside the mask;
+ *      `Mask` (uint8, 255 = object);
+ *      `Depth` (float, world units, 0 outside);
+ *      `CellId` (int, triangle of the mesh, -1 outside);
+ *      `Seen` (uint8, 1 = at least one photograph sees the point; 0 with Mask 255 = filled from
+ *      the surroundings).
+ *
+ * Differs from the paper: photographs that do not see V are left out; the weight falls towards the
+ * silhouette's border (FeatherWidth); rim pixels are antialiased against black (RimSamples; 1 is
+ * the paper's); occlusion may be soft and tested against the views' own depth maps
+ * (OcclusionSoftness, UseDepthMaps; off is the paper's).
+ *
+ * Errors: no camera, cells that are not triangles, missing arrays.
+ *
+ * Reference: Chia, He and Lin 2013, section 3 and Figures 9 and 10.
+ */
+#ifndef vtkViewDependentTextureMapper_h
+#define vtkViewDependentTextureMapper_h
+
+#include "vtkNovelViewFiltersModule.h"
+#include <vtkImageAlgorithm.h>
+#include <vtkSmartPointer.h>
+
+class vtkPinholeCamera;
+
+class VTKNOVELVIEWFILTERS_EXPORT vtkViewDependentTextureMapper : public vtkImageAlgorithm
+{
+public:
+  static vtkViewDependentTextureMapper* New();
+  vtkTypeMacro(vtkViewDependentTextureMapper, vtkImageAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** The novel camera. Default: none, which is an error on update. */
+  void SetCamera(vtkPinholeCamera* camera);
+  vtkPinholeCamera* GetCamera();
+  ///@}
+
+  ///@{
+  /** Photographs blended per pixel. Default 3, range 1 to 64. */
+  vtkSetClampMacro(References, int, 1, 64);
+  vtkGetMacro(References, int);
+  ///@}
+
+  ///@{
+  /** The exponent m of the weights. Default 8, range 0 to 64. */
+  vtkSetClampMacro(Power, double, 0.0, 64.0);
+  vtkGetMacro(Power, double);
+  ///@}
+
+  ///@{
+  /**
+   * Width over which a photograph's weight grows from its silhouette's border inwards, pixels.
+   * Default 2, range 0.01 to 100.
+   */
+  vtkSetClampMacro(FeatherWidth, double, 0.01, 100.0);
+  vtkGetMacro(FeatherWidth, double);
+  ///@}
+
+  ///@{
+  /**
+   * Softness of the occlusion test in pixel footprints: a point z behind the model counts
+   * exp(-(z / softness)^2). 0, the default, tests hard at 1.5 footprints. Range 0 to 100.
+   */
+  vtkSetClampMacro(OcclusionSoftness, double, 0.0, 100.0);
+  vtkGetMacro(OcclusionSoftness, double);
+  ///@}
+
+  ///@{
+  /** Test occlusion against the views' `Depth` arrays where there are. Default off. */
+  vtkSetMacro(UseDepthMaps, bool);
+  vtkGetMacro(UseDepthMaps, bool);
+  vtkBooleanMacro(UseDepthMaps, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Sub-rays per pixel side for the coverage of rim pixels; even values are raised by one.
+   * Default 1 (no antialiasing), range 1 to 9.
+   */
+  vtkSetClampMacro(RimSamples, int, 1, 9);
+  vtkGetMacro(RimSamples, int);
+  ///@}
+
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkViewDependentTextureMapper();
+  ~vtkViewDependentTextureMapper() override;
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
+  vtkSmartPointer<vtkPinholeCamera> Camera;
+  int References = 3;
+  double Power = 8.0;
+  double FeatherWidth = 2.0;
+  double OcclusionSoftness = 0.0;
+  bool UseDepthMaps = false;
+  int RimSamples = 1;
+
+private:
+  vtkViewDependentTextureMapper(const vtkViewDependentTextureMapper&) = delete;
+  void operator=(const vtkViewDependentTextureMapper&) = delete;
+};
+
+#endif

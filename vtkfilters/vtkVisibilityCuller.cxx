@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkVisibilityCuller.h"
+
+#include "FilterSupport.h"
+#include "ViewAccess.h"
+#include "Visibility.h"
+#include "vtkPinholeCamera.h"
+
+#include <vtkIdTypeArray.h>
+#include <vtkInformation.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkVisibilityCuller);
+
+namespace
+{
+using novelview::Error;
+
+/** The triangles for which `keep` holds, and for each point used its id in the whole mesh. */
+template <class Keep>
+novelview::TriangleMesh Extract(
+  const novelview::TriangleMesh& whole, const Keep& keep, std::vector<int>& originalIds)
+{
+  novelview::TriangleMesh part;
+  std::vector<int> newId(whole.Points.size(), -1);
+  for (const Eigen::Vector3i& t : whole.Triangles)
+  {
+    if (!keep(t))
+    {
+      continue;
+    }
+    Eigen::Vector3i triangle;
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      int& id = newId[t[corner]];
+      if (id < 0)
+      {
+        id = static_cast<int>(part.Points.size());
+        part.Points.push_back(whole.Points[t[corner]]);
+        originalIds.push_back(t[corner]);
+      }
+      triangle[corner] = id;
+    }
+    part.Triangles.push_back(triangle);
+  }
+  return part;
+}
+
+void CheckCamera(const novelview::Camera& camera, const novelview::TriangleMesh& mesh,
+  const std::vector<std::uint8_t>& visible)
+{
+  if (novelview::IsInside(mesh, camera.Centre()))
+  {
+    throw Error("novel camera", "it stands inside the object");
+  }
+  for (std::size_t ptId = 0; ptId < mesh.Points.size(); ++ptId)
+  {
+    if (visible[ptId] && camera.InFrame(camera.Project(mesh.Points[ptId])))
+    {
+      return;
+    }
+  }
+  throw Error("novel camera", "no part of the object is in its frame: it looks away");
+}
+}
+
+//------------------------------------------------------------------------------
+vtkVisibilityCuller::vtkVisibilityCuller()
+{
+  this->SetNumberOfOutputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+vtkVisibilityCuller::~vtkVisibilityCuller() = default;
+
+//------------------------------------------------------------------------------
+void vtkVisibilityCuller::SetCamera(vtkPinholeCamera* camera)
+{
+  novelview::SetCameraMember(this, this->Camera, camera);
+}
+
+//------------------------------------------------------------------------------
+vtkPinholeCamera* vtkVisibilityCuller::GetCamera()
+{
+  return this->Camera;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkVisibilityCuller::GetMTime()
+{
+  return novelview::MTimeWithCamera(this->Superclass::GetMTime(), this->Camera);
+}
+
+//------------------------------------------------------------------------------
+int vtkVisibilityCuller::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  return novelview::RunGuarded(this, outputs,
+    [&]
+    {
+      vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
+      const novelview::Camera camera = novelview::RequireCamera(this->Camera);
+      const novelview::TriangleMesh mesh = novelview::ToTriangleMesh(input, "mesh");
+      if (mesh.Triangles.empty())
+      {
+        return;
+      }
+      const std::vector<std::uint8_t> visible =
+        novelview::VisibleVertices(mesh, camera, this->Tolerance, novelview::ExecutionFor(this));
+      CheckCamera(camera, mesh, visible);
+
+      const auto anyVisible = [&visible](const Eigen::Vector3i& t)
+      { return visible[t[0]] || visible[t[1]] || visible[t[2]]; };
+      std::vector<int> keptIds;
+      std::vector<int> removedIds;
+      vtkPolyData* kept = vtkPolyData::GetData(outputs, 0);
+      novelview::FromTriangleMesh(Extract(mesh, anyVisible, keptIds), kept);
+      novelview::FromTriangleMesh(
+        Extract(
+          mesh, [&](const Eigen::Vector3i& t) { return !anyVisible(t); }, removedIds),
+        vtkPolyData::GetData(outputs, 1));
+
+      const auto count = static_cast<vtkIdType>(keptIds.size());
+      vtkNew<vtkUnsignedCharArray> visibleArray;
+      visibleArray->SetName("Visible");
+      visibleArray->SetNumberOfTuples(count);
+      vtkNew<vtkIdTypeArray> idArray;
+      idArray->SetName("OriginalPointIds");
+      idArray->SetNumberOfTuples(count);
+      kept->GetPointData()->CopyAllocate(input->GetPointData(), count);
+      for (vtkIdType ptId = 0; ptId < count; ++ptId)
+      {
+        visibleArray->SetValue(ptId, visible[keptIds[ptId]]);
+        idArray->SetValue(ptId, keptIds[ptId]);
+        kept->GetPointData()->CopyData(input->GetPointData(), keptIds[ptId], ptId);
+      }
+      kept->GetPointData()->AddArray(visibleArray);
+      kept->GetPointData()->AddArray(idArray);
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkVisibilityCuller::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  novelview::PrintCamera(os, indent, this->Camera);
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+}

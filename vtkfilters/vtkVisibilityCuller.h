@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class vtkVisibilityCuller
+ * @brief Removes the triangles of a mesh that a camera cannot see.
+ *
+ * A triangle seen from the centre of projection spans an infinite triangular cone; a vertex in that
+ * cone and behind the triangle is invisible. A triangle is removed only if its three vertices are
+ * all invisible. "Behind" is deeper by more than Tolerance times the bounding box's diagonal.
+ *
+ * Ports:
+ *  - in 0: vtkPolyData, triangles.
+ *  - out 0: vtkPolyData, the triangles that remain with the points they use. Point data pass
+ *    through; added: `Visible` (uint8, 1 = visible) and `OriginalPointIds` (id of the point in the
+ *    input).
+ *  - out 1: vtkPolyData, the triangles removed, likewise (without arrays): what still stands
+ *    between the reference cameras and the object.
+ *
+ * Differs from the paper: the same definition, found through a grid over the image plane instead of
+ * comparing each vertex with every triangle.
+ *
+ * Limits: a triangle with a corner behind the camera hides nothing.
+ *
+ * Errors: no camera, cells that are not triangles, a camera inside the (closed) mesh, a camera that
+ * has no visible vertex in its frame.
+ *
+ * Reference: Chia, He and Lin 2013, section 2.1 and Figure 3.
+ */
+#ifndef vtkVisibilityCuller_h
+#define vtkVisibilityCuller_h
+
+#include "vtkNovelViewFiltersModule.h"
+#include <vtkPolyDataAlgorithm.h>
+#include <vtkSmartPointer.h>
+
+class vtkPinholeCamera;
+
+class VTKNOVELVIEWFILTERS_EXPORT vtkVisibilityCuller : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkVisibilityCuller* New();
+  vtkTypeMacro(vtkVisibilityCuller, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** The novel camera. Default: none, which is an error on update. */
+  void SetCamera(vtkPinholeCamera* camera);
+  vtkPinholeCamera* GetCamera();
+  ///@}
+
+  ///@{
+  /** How much deeper "behind" is, in diagonals of the bounding box. Default 1e-6, 0 to 0.1. */
+  vtkSetClampMacro(Tolerance, double, 0.0, 0.1);
+  vtkGetMacro(Tolerance, double);
+  ///@}
+
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkVisibilityCuller();
+  ~vtkVisibilityCuller() override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
+  vtkSmartPointer<vtkPinholeCamera> Camera;
+  double Tolerance = 1e-6;
+
+private:
+  vtkVisibilityCuller(const vtkVisibilityCuller&) = delete;
+  void operator=(const vtkVisibilityCuller&) = delete;
+};
+
+#endif

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkVisualHullSource.h"
+
+#include "FilterSupport.h"
+#include "ViewAccess.h"
+#include "VisualHull.h"
+
+#include <vtkFloatArray.h>
+#include <vtkInformation.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+
+vtkStandardNewMacro(vtkVisualHullSource);
+
+//------------------------------------------------------------------------------
+vtkVisualHullSource::vtkVisualHullSource()
+{
+  this->SetNumberOfInputPorts(1);
+}
+
+//------------------------------------------------------------------------------
+int vtkVisualHullSource::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkMultiBlockDataSet");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkVisualHullSource::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  return novelview::RunGuarded(this, outputs,
+    [&]
+    {
+      novelview::ViewNeeds needs;
+      needs.ContourDistance = true;
+      const std::vector<novelview::View> views =
+        novelview::ReadViews(vtkMultiBlockDataSet::GetData(inputs[0]), needs, 2);
+
+      novelview::VisualHullOptions options;
+      options.SpacingPx = this->SampleSpacing;
+      options.KeepAllComponents = this->KeepAllComponents;
+      const double* b = this->SearchBounds;
+      if (b[0] < b[1] && b[2] < b[3] && b[4] < b[5])
+      {
+        options.Box.emplace(Eigen::Vector3d(b[0], b[2], b[4]), Eigen::Vector3d(b[1], b[3], b[5]));
+      }
+      const novelview::VisualHullResult hull =
+        novelview::ComputeVisualHull(views, options, novelview::ExecutionFor(this));
+
+      novelview::TriangleMesh samples;
+      samples.Points = hull.Samples.Points;
+      vtkPolyData* output = vtkPolyData::GetData(outputs);
+      novelview::FromTriangleMesh(samples, output);
+      output->GetPointData()->SetNormals(novelview::NewNormals(hull.Samples.Normals));
+      this->NumberOfDroppedComponents = hull.DroppedComponents;
+      this->NumberOfDroppedSamples = static_cast<vtkIdType>(hull.DroppedSamples);
+      this->WorldSpacing = hull.Spacing;
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkVisualHullSource::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "SampleSpacing: " << this->SampleSpacing << "\n";
+  os << indent << "SearchBounds:";
+  for (const double bound : this->SearchBounds)
+  {
+    os << " " << bound;
+  }
+  os << "\n" << indent << "KeepAllComponents: " << this->KeepAllComponents << "\n";
+  os << indent << "NumberOfDroppedComponents: " << this->NumberOfDroppedComponents << "\n";
+  os << indent << "NumberOfDroppedSamples: " << this->NumberOfDroppedSamples << "\n";
+  os << indent << "WorldSpacing: " << this->WorldSpacing << "\n";
+}

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class vtkVisualHullSource
+ * @brief Surface samples of the visual hull of calibrated silhouettes.
+ *
+ * The visual hull is the set of points whose projection lies inside the silhouette of every view
+ * that sees them. A view says nothing of what is outside its frame or behind its camera: it never
+ * carves there. With d_v the signed contour distance of view v (pixels, positive inside), z_v the
+ * depth and f_v the focal length, the hull is f >= 0 for
+ *
+ *     f(x) = min over the views that see x of  d_v(u_v(x)) z_v(x) / f_v.
+ *
+ * f is evaluated in an octree; each lattice cell with corners on both sides gives one sample, which
+ * is root-found on f = 0.
+ *
+ * Ports:
+ *  - in 0: vtkMultiBlockDataSet, the views (a vtkImageData block each, see ViewAccess.h) with point
+ *    arrays `Mask` (uint8) and `ContourDistance` (float) and the camera's field arrays.
+ *  - out 0: vtkPolyData, points (double) and point array `Normals` (float x 3, outward, unit). No
+ *    cells.
+ *
+ * Limits: samples agree with the silhouettes to a small fraction of a pixel except where the frame
+ * of a view cuts the hull; there they lie on the frame's border. Sharp creases are sampled, not
+ * resolved.
+ *
+ * Errors: no views, missing arrays, an empty hull (naming the view that empties it), a hull that
+ * reaches the search box.
+ *
+ * Reference: Laurentini, "The visual hull concept for silhouette-based image understanding",
+ * IEEE PAMI 16(2), 1994; the place of the stage: Chia, He and Lin 2013, section 2.1.
+ */
+#ifndef vtkVisualHullSource_h
+#define vtkVisualHullSource_h
+
+#include "vtkNovelViewFiltersModule.h"
+#include <vtkPolyDataAlgorithm.h>
+
+class VTKNOVELVIEWFILTERS_EXPORT vtkVisualHullSource : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkVisualHullSource* New();
+  vtkTypeMacro(vtkVisualHullSource, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Distance between samples in pixels of the photographs at the object's middle. Default 2,
+   * range 0.25 to 64.
+   */
+  vtkSetClampMacro(SampleSpacing, double, 0.25, 64.0);
+  vtkGetMacro(SampleSpacing, double);
+  ///@}
+
+  ///@{
+  /**
+   * The box to search, xmin xmax ymin ymax zmin zmax in world units. Default: 1 -1 1 -1 1 -1, an
+   * empty box, which means that the box is found from the silhouettes.
+   */
+  vtkSetVector6Macro(SearchBounds, double);
+  vtkGetVector6Macro(SearchBounds, double);
+  ///@}
+
+  ///@{
+  /** Keep every connected component, not only the one with the most samples. Default off. */
+  vtkSetMacro(KeepAllComponents, bool);
+  vtkGetMacro(KeepAllComponents, bool);
+  vtkBooleanMacro(KeepAllComponents, bool);
+  ///@}
+
+  ///@{
+  /** What the last update left out: components, and their samples. */
+  vtkGetMacro(NumberOfDroppedComponents, int);
+  vtkGetMacro(NumberOfDroppedSamples, vtkIdType);
+  ///@}
+
+  /** The sample spacing of the last update in world units. */
+  vtkGetMacro(WorldSpacing, double);
+
+protected:
+  vtkVisualHullSource();
+  ~vtkVisualHullSource() override = default;
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
+  double SampleSpacing = 2.0;
+  double SearchBounds[6] = { 1, -1, 1, -1, 1, -1 };
+  bool KeepAllComponents = false;
+  int NumberOfDroppedComponents = 0;
+  vtkIdType NumberOfDroppedSamples = 0;
+  double WorldSpacing = 0;
+
+private:
+  vtkVisualHullSource(const vtkVisualHullSource&) = delete;
+  void operator=(const vtkVisualHullSource&) = delete;
+};
+
+#endif
