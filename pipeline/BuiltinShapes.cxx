@@ -197,7 +197,7 @@ vtkSmartPointer<vtkPolyData> MakeBuiltinShape(const std::string& name)
   }
   if (name == "stool")
   {
-    return Surface(Stool, 200); // a grid step of 0.012 against rungs 0.06 thick
+    return Surface(Stool, 160); // a grid step of 0.015 against rungs 0.06 thick
   }
   if (name == "bust")
   {

@@ -9,6 +9,7 @@
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkRenderer.h>
+#include <vtkRendererCollection.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <GL/osmesa.h>
@@ -84,6 +85,11 @@ protected:
     if (this->Context)
     {
       this->BindContext();
+      // Renderers that live on must let go of their graphics while the context still exists.
+      while (vtkRenderer* renderer = this->Renderers->GetFirstRenderer())
+      {
+        this->RemoveRenderer(renderer);
+      }
       this->Finalize();
       OSMesaDestroyContext(this->Context);
       this->Context = nullptr;

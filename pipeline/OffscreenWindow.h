@@ -2,12 +2,12 @@
 #ifndef novelview_OffscreenWindow_h
 #define novelview_OffscreenWindow_h
 
+#include <vtkImageData.h>
+#include <vtkRenderWindow.h>
 #include <vtkSmartPointer.h>
 
 #include <string>
 
-class vtkImageData;
-class vtkRenderWindow;
 class vtkRenderer;
 
 namespace novelview
