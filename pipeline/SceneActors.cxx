@@ -3,6 +3,8 @@
 
 #include "ViewAccess.h"
 
+#include <Eigen/Eigenvalues>
+
 #include <vtkActor.h>
 #include <vtkAxesActor.h>
 #include <vtkBillboardTextActor3D.h>
@@ -142,14 +144,32 @@ void AddCameraToScene(vtkRenderer* renderer, const SceneCamera& camera, const Fr
 //------------------------------------------------------------------------------
 Eigen::Vector3d UpOf(const std::vector<SceneCamera>& cameras)
 {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  const double count = static_cast<double>(cameras.size());
+  Eigen::Vector3d up = Eigen::Vector3d::Zero();
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (const SceneCamera& camera : cameras)
   {
-    sum -= camera.Cam.R.row(1).transpose();
+    up -= camera.Cam.R.row(1).transpose() / count;
+    middle += camera.Cam.Centre() / count;
   }
-  // Cameras all around an axis that is not "up" of their pictures cancel out; then y will do.
-  return sum.norm() > 0.1 * cameras.size() ? Eigen::Vector3d(sum.normalized())
-                                           : Eigen::Vector3d::UnitY();
+  if (up.norm() > 0.7)
+  {
+    return up.normalized();
+  }
+  // The pictures do not agree on what is up; then it is the axis that the cameras stand around.
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (const SceneCamera& camera : cameras)
+  {
+    const Eigen::Vector3d offset = camera.Cam.Centre() - middle;
+    spread += offset * offset.transpose();
+  }
+  const Eigen::Vector3d axis =
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(0);
+  // Either end may be up: the one that the pictures lean to, or else that of a positive coordinate.
+  Eigen::Index largest = 0;
+  axis.cwiseAbs().maxCoeff(&largest);
+  const double lean = std::abs(axis.dot(up)) > 0.2 ? axis.dot(up) : axis[largest];
+  return lean < 0 ? Eigen::Vector3d(-axis) : axis;
 }
 
 //------------------------------------------------------------------------------

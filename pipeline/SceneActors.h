@@ -38,7 +38,10 @@ struct FrustumStyle
 void AddCameraToScene(vtkRenderer* renderer, const SceneCamera& camera, const FrustumStyle& style,
   std::vector<Eigen::Vector3d>* extent = nullptr);
 
-/** The direction that is up for most of these cameras. */
+/**
+ * The direction that is up: in the cameras' pictures or, when those disagree (photographs may be turned
+ * by a quarter), the axis that the cameras stand around.
+ */
 Eigen::Vector3d UpOf(const std::vector<SceneCamera>& cameras);
 
 /**
