@@ -13,9 +13,11 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <GL/osmesa.h>
+#include <spdlog/spdlog.h>
 
 #include <array>
 #include <cmath>
+#include <mutex>
 
 extern "C"
 {
@@ -156,6 +158,8 @@ OffscreenWindow::OffscreenWindow(int width, int height)
   }
   this->Render = window;
   this->ProveItDraws();
+  static std::once_flag told;
+  std::call_once(told, [this] { spdlog::info("offscreen rendering with {}", this->Name); });
 }
 
 //------------------------------------------------------------------------------

@@ -133,11 +133,34 @@ void AddCameraToScene(vtkRenderer* renderer, const SceneCamera& camera, const Fr
     renderer->AddActor(PictureActor(corners, camera.Picture));
   }
   const Eigen::Vector3d place = centre - 0.22 * style.Depth * drawn.OpticalAxis();
-  renderer->AddActor(Label(camera, place, style.LabelSizePx));
+  if (!camera.Label.empty())
+  {
+    renderer->AddActor(Label(camera, place, style.LabelSizePx));
+  }
   if (extent)
   {
     extent->insert(extent->end(), corners.begin(), corners.end());
     extent->push_back(centre - 0.4 * style.Depth * drawn.OpticalAxis()); // room for the label
+  }
+}
+
+//------------------------------------------------------------------------------
+void JoinLabels(std::vector<SceneCamera>& cameras, double distance)
+{
+  for (std::size_t later = 1; later < cameras.size(); ++later)
+  {
+    for (std::size_t earlier = 0; earlier < later; ++earlier)
+    {
+      SceneCamera& first = cameras[earlier];
+      SceneCamera& second = cameras[later];
+      const bool close = (first.Cam.Centre() - second.Cam.Centre()).norm() < distance;
+      if (close && !first.Bold && !second.Bold && !first.Label.empty())
+      {
+        first.Label += ", " + second.Label;
+        second.Label.clear();
+        break;
+      }
+    }
   }
 }
 

@@ -39,6 +39,12 @@ void AddCameraToScene(vtkRenderer* renderer, const SceneCamera& camera, const Fr
   std::vector<Eigen::Vector3d>* extent = nullptr);
 
 /**
+ * Cameras that stand (nearly) at the same place, less than `distance` apart, get one label together,
+ * "0, 10", instead of two on top of each other. Bold labels are left alone.
+ */
+void JoinLabels(std::vector<SceneCamera>& cameras, double distance);
+
+/**
  * The direction that is up: in the cameras' pictures or, when those disagree (photographs may be turned
  * by a quarter), the axis that the cameras stand around.
  */

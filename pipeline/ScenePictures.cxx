@@ -143,6 +143,7 @@ void DrawRig(const RigPicture& rig, const std::filesystem::path& path)
   style.LabelSizePx = 20;
   std::vector<Eigen::Vector3d> extent;
   AddCorners(BoundsOf(rig.Mesh), extent);
+  JoinLabels(cameras, 0.06 * (rig.Views.front().Centre() - style.Target).norm());
   for (const SceneCamera& camera : cameras)
   {
     style.Depth = 0.26 * (camera.Cam.Centre() - style.Target).norm();
@@ -252,6 +253,7 @@ void DrawMeshScene(Canvas& canvas, const Box& box, const DesktopState& state)
   cameras.push_back({ state.Novel, "novel", colours::Novel, true, {} });
   std::nth_element(distances.begin(), distances.begin() + distances.size() / 2, distances.end());
   const double typical = distances[distances.size() / 2];
+  JoinLabels(cameras, 0.06 * typical);
 
   FrustumStyle style;
   style.Target = bounds.center();

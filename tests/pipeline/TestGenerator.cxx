@@ -7,6 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -326,6 +328,20 @@ TEST_F(Generator, TruthIsTheMesh)
   }
 }
 
+TEST_F(Generator, WritesDownItsOptions)
+{
+  GeneratorOptions options = Small("torus");
+  options.Seed = 42;
+  options.ShadowViews = { 1 };
+  GenerateDataset(options, this->Folder);
+  const auto json = nlohmann::json::parse(std::ifstream(this->Folder / "generate.json"));
+  EXPECT_EQ(json.at("mesh"), "torus");
+  EXPECT_EQ(json.at("seed"), 42);
+  EXPECT_EQ(json.at("size"), (std::vector<int>{ 96, 72 }));
+  EXPECT_EQ(json.at("shadow_views"), (std::vector<int>{ 1 }));
+  EXPECT_EQ(json.at("shadow_darkness"), 0.96);
+}
+
 TEST_F(Generator, ReportsProgressAndStopsWhenAsked)
 {
   double last = -1;
@@ -363,6 +379,12 @@ TEST_F(Generator, RefusesWrongOptions)
   EXPECT_THAT(message([](Options& o) { o.ShadowViews = { 2 }; }),
     HasSubstr("view of the shadow is out of range (got 2, expected 0 to 1)"));
   EXPECT_THAT(message([](Options& o) { o.TestAnglesDeg = { INFINITY }; }), HasSubstr("test angle"));
+}
+
+TEST_F(Generator, SaysThatTheFolderCannotBeWritten)
+{
+  EXPECT_THAT(MessageOf([] { GenerateDataset(Small("torus"), "/proc/novelview"); }),
+    HasSubstr("/proc/novelview: cannot make the folder"));
 }
 
 TEST_F(Generator, RefusesMeshesThatAreNone)

@@ -3,6 +3,7 @@
 
 #include "MessageOf.h"
 #include "ObjectMesh.h"
+#include "SceneActors.h"
 #include "ViewAccess.h"
 
 #include <gmock/gmock.h>
@@ -196,5 +197,40 @@ TEST_F(ScenePictures, RigShowsCamerasPhotographsAndHeldOutView)
   EXPECT_GT(Count(picture, 140, 140, 140), 3000) << "the photographs in the frusta";
   EXPECT_GT(Count(picture, 140, 179, 235), 1000) << "frusta and numbers";
   EXPECT_GT(Count(picture, 255, 194, 46), 300) << "the held-out view";
+}
+
+TEST_F(ScenePictures, UpIsFoundAlsoWhenPhotographsAreTurned)
+{
+  std::vector<SceneCamera> cameras;
+  for (const Camera& camera : this->Cameras)
+  {
+    cameras.push_back({ camera, "", colours::Reference, false, {} });
+  }
+  // The cameras look down by 5 degrees, all the same way around the y axis.
+  EXPECT_GT(UpOf(cameras).y(), 0.999);
+  const Eigen::Matrix3d quarter =
+    Eigen::AngleAxisd(EIGEN_PI / 2, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  for (std::size_t i = 0; i < cameras.size(); ++i)
+  {
+    Camera& camera = cameras[i].Cam;
+    camera.R = (i % 2 ? quarter : Eigen::Matrix3d(quarter.transpose())) * camera.R;
+    camera.T = -(camera.R * this->Cameras[i].Centre());
+  }
+  EXPECT_GT(UpOf(cameras).y(), 0.999);
+}
+
+TEST_F(ScenePictures, CamerasAtOnePlaceShareALabel)
+{
+  const auto at = [this](int place, const char* label, bool bold) {
+    return SceneCamera{ this->Cameras[place], label, colours::Reference, bold, {} };
+  };
+  std::vector<SceneCamera> cameras = { at(0, "0", false), at(1, "1", false), at(0, "2", false),
+    at(0, "3", false), at(0, "novel", true) };
+  JoinLabels(cameras, 0.1);
+  EXPECT_EQ(cameras[0].Label, "0, 2, 3");
+  EXPECT_EQ(cameras[1].Label, "1");
+  EXPECT_EQ(cameras[2].Label, "");
+  EXPECT_EQ(cameras[3].Label, "");
+  EXPECT_EQ(cameras[4].Label, "novel");
 }
 }
