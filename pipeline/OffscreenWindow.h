@@ -2,12 +2,12 @@
 #ifndef novelview_OffscreenWindow_h
 #define novelview_OffscreenWindow_h
 
+#include <vtkImageData.h>
+#include <vtkRenderWindow.h>
 #include <vtkSmartPointer.h>
 
 #include <string>
 
-class vtkImageData;
-class vtkRenderWindow;
 class vtkRenderer;
 
 namespace novelview
@@ -38,7 +38,7 @@ public:
   int Width() const { return this->Size[0]; }
   int Height() const { return this->Size[1]; }
 
-  /** "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5 (Core Profile) ...": a line for the log. */
+  /** What draws: "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5 ...". The first window logs it. */
   const std::string& RendererName() const { return this->Name; }
 
   /** The window itself, to which renderers are added. Borrowed. */
