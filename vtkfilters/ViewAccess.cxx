@@ -280,6 +280,20 @@ void FromTriangleMesh(const TriangleMesh& mesh, vtkPolyData* out)
   out->SetPolys(cells);
 }
 
+std::vector<std::uint8_t> PointFlags(vtkPolyData* poly, const char* name, std::uint8_t otherwise)
+{
+  const vtkIdType count = poly->GetNumberOfPoints();
+  std::vector<std::uint8_t> flags(count, otherwise);
+  if (vtkDataArray* array = poly->GetPointData()->GetArray(name))
+  {
+    for (vtkIdType ptId = 0; ptId < count; ++ptId)
+    {
+      flags[ptId] = array->GetComponent(ptId, 0) != 0;
+    }
+  }
+  return flags;
+}
+
 vtkSmartPointer<vtkFloatArray> NewNormals(const std::vector<Eigen::Vector3d>& normals)
 {
   auto array = vtkSmartPointer<vtkFloatArray>::New();

@@ -104,6 +104,9 @@ VTKNOVELVIEWFILTERS_EXPORT vtkSmartPointer<vtkPinholeCamera> NewPinholeCamera(co
 VTKNOVELVIEWFILTERS_EXPORT TriangleMesh ToTriangleMesh(vtkPolyData* poly, const std::string& where);
 /** Points (double) and triangles into a vtkPolyData; attributes are left alone. */
 VTKNOVELVIEWFILTERS_EXPORT void FromTriangleMesh(const TriangleMesh& mesh, vtkPolyData* out);
+/** A uint8 point array as one value per point; `otherwise` for all when there is none. */
+VTKNOVELVIEWFILTERS_EXPORT std::vector<std::uint8_t> PointFlags(
+  vtkPolyData* poly, const char* name, std::uint8_t otherwise);
 /** A `Normals` array (float x 3). */
 VTKNOVELVIEWFILTERS_EXPORT vtkSmartPointer<vtkFloatArray> NewNormals(
   const std::vector<Eigen::Vector3d>& normals);

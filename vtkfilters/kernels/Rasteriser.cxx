@@ -128,6 +128,24 @@ ItemBuffer Rasterise(const TriangleMesh& mesh, const Camera& camera, const Execu
   return buffer;
 }
 
+double DepthBehind(const ImageRef<const float>& depth, const Eigen::Vector2d& pixel, double z)
+{
+  const int x = static_cast<int>(std::lround(pixel.x()));
+  const int y = static_cast<int>(std::lround(pixel.y()));
+  float deepest = 0;
+  for (int j = y - 1; j <= y + 1; ++j)
+  {
+    for (int i = x - 1; i <= x + 1; ++i)
+    {
+      if (depth.Contains(i, j) && std::isfinite(depth(i, j)))
+      {
+        deepest = std::max(deepest, depth(i, j));
+      }
+    }
+  }
+  return deepest > 0 ? z - deepest : -std::numeric_limits<double>::infinity();
+}
+
 Camera Supersampled(const Camera& camera, int factor)
 {
   Camera result = camera;

@@ -30,6 +30,14 @@ ItemBuffer Rasterise(
   const TriangleMesh& mesh, const Camera& camera, const Execution& execution = {});
 
 /**
+ * How much deeper a point at depth z that projects to `pixel` lies than the surface a depth image
+ * shows there, world units; negative = in front. The surface is the deepest of the 3x3 pixels
+ * around, since at a slanted surface neighbours differ by more than any sensible tolerance.
+ * Minus infinity where the depth image is empty (0 or infinity) or the pixel is outside it.
+ */
+double DepthBehind(const ImageRef<const float>& depth, const Eigen::Vector2d& pixel, double z);
+
+/**
  * The camera whose picture is `factor` times as large in each direction and covers the same frame:
  * each pixel of `camera` is factor x factor pixels of the result.
  */

@@ -66,27 +66,7 @@ std::vector<Reference> MakeReferences(const TriangleMesh& mesh, const TriangleMe
 double Visibility(
   const Reference& reference, const Vector2d& u, double z, const TextureOptions& options)
 {
-  // The deepest surface around the projection: at a slanted surface the neighbours differ by more
-  // than any sensible tolerance.
-  const int x = static_cast<int>(std::lround(u.x()));
-  const int y = static_cast<int>(std::lround(u.y()));
-  float deepest = 0;
-  for (int j = -1; j <= 1; ++j)
-  {
-    for (int i = -1; i <= 1; ++i)
-    {
-      if (reference.Depth.Contains(x + i, y + j))
-      {
-        const float depth = reference.Depth(x + i, y + j);
-        deepest = depth < NoDepth ? std::max(deepest, depth) : deepest;
-      }
-    }
-  }
-  if (deepest <= 0)
-  {
-    return 1; // nothing stands there
-  }
-  const double behind = (z - deepest) / reference.Photo->Cam.PixelFootprint(z);
+  const double behind = DepthBehind(reference.Depth, u, z) / reference.Photo->Cam.PixelFootprint(z);
   if (options.OcclusionPx <= 0)
   {
     return behind <= 1.5 ? 1 : 0;

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef novelview_ObjectMesh_h
+#define novelview_ObjectMesh_h
+
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <string>
+#include <vector>
+
+namespace novelview
+{
+/**
+ * The built-in objects, all closed: "bunny" (the Stanford bunny of Debian's glmark2-data), "part" (a
+ * block with flat faces, sharp edges and a through hole), "stool" (thin legs), "bust" (a smooth head
+ * with concavities), "torus".
+ */
+const std::vector<std::string>& BuiltinObjects();
+
+/** "bunny" for the built-in object or "/a/b/horse.obj" -> "horse". */
+std::string ObjectName(const std::string& mesh);
+
+/**
+ * The object to be photographed: a built-in one by its name (empty = "bunny"), or a mesh file (ply,
+ * obj, stl, vtp). Triangles only, equal points merged, neighbouring faces turned the same way, and
+ * outwards when the mesh is closed; coordinates as they were, rounded to float. No arrays.
+ *
+ * Throws Error when the file is missing, unreadable or of another kind, when it holds no triangle,
+ * or coordinates that are not finite or all the same.
+ */
+vtkSmartPointer<vtkPolyData> LoadObject(const std::string& mesh);
+}
+
+#endif

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef novelview_OffscreenWindow_h
+#define novelview_OffscreenWindow_h
+
+#include <vtkSmartPointer.h>
+
+#include <string>
+
+class vtkImageData;
+class vtkRenderWindow;
+class vtkRenderer;
+
+namespace novelview
+{
+/**
+ * A VTK render window without a display: software OpenGL in memory (OSMesa), in a context that
+ * belongs to the window. The only place of the project that knows how pictures are rendered.
+ *
+ * Several windows may live at once, of any size that the driver can do. DISPLAY is never looked at.
+ * Windows are used from one thread. A renderer belongs to one window at a time and must be removed
+ * (or die) before it is added to another.
+ */
+class OffscreenWindow
+{
+public:
+  /**
+   * Opens a window of this many pixels and proves that it draws: OpenGL must tell its version, and a
+   * cleared picture must read back in the colour it was cleared to.
+   *
+   * Throws Error when the size is not positive or more than the driver can do, when no context can
+   * be made, or when the proof fails.
+   */
+  OffscreenWindow(int width, int height);
+  ~OffscreenWindow();
+  OffscreenWindow(const OffscreenWindow&) = delete;
+  OffscreenWindow& operator=(const OffscreenWindow&) = delete;
+
+  int Width() const { return this->Size[0]; }
+  int Height() const { return this->Size[1]; }
+
+  /** "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5 (Core Profile) ...": a line for the log. */
+  const std::string& RendererName() const { return this->Name; }
+
+  /** The window itself, to which renderers are added. Borrowed. */
+  vtkRenderWindow* Window() const { return this->Render; }
+
+  /**
+   * Draws all renderers that were added. The image has a point array of 3 components (RGB, uint8),
+   * or of 4 with `withAlpha`: alpha is then 0 where nothing was drawn. Bottom-up rows, as VTK has them.
+   */
+  vtkSmartPointer<vtkImageData> Capture(bool withAlpha = false);
+
+private:
+  void ProveItDraws();
+
+  vtkSmartPointer<vtkRenderWindow> Render;
+  std::string Name;
+  int Size[2];
+};
+
+/** One renderer in a window of its own: the picture as Capture() gives it. */
+vtkSmartPointer<vtkImageData> RenderOffscreen(vtkRenderer* renderer, int width, int height);
+}
+
+#endif

@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "NonOutlineDeformation.h"
+
+#include "MeshNeighbours.h"
+#include "PhotoConsistency.h"
+#include "Rasteriser.h"
+#include "SilhouetteField.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace novelview
+{
+namespace
+{
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+class NonOutlineDeformer
+{
+public:
+  NonOutlineDeformer(const TriangleMesh& mesh, const std::vector<std::uint8_t>& active,
+    const std::vector<View>& views, const Camera& novel, const NonOutlineOptions& options,
+    const Execution& execution)
+    : Mesh(mesh)
+    , Active(active)
+    , Neighbours(mesh)
+    , Views(views)
+    , Novel(novel)
+    , Centre(novel.Centre())
+    , Hull(views)
+    , NeighbourViews(NearestNeighbours(views, options.Secondaries))
+    , Options(options)
+    , Run(execution)
+    , Energies(mesh.Points.size())
+    , Moves(mesh.Points.size(), 0)
+  {
+    for (std::size_t ptId = 0; ptId < mesh.Points.size(); ++ptId)
+    {
+      this->Active[ptId] = this->Active[ptId] && novel.Depth(mesh.Points[ptId]) > 0 &&
+        !this->Neighbours.Triangles(static_cast<int>(ptId)).empty();
+    }
+  }
+
+  DeformationResult Deform(const DeformationListener& listener)
+  {
+    DeformationState state;
+    state.Mesh = &this->Mesh;
+    state.Energies = &this->Energies;
+    state.Active = &this->Active;
+    bool converged = false;
+    for (;; ++state.Iteration)
+    {
+      this->Measure();
+      if (listener)
+      {
+        listener(state);
+      }
+      if (converged || state.Iteration == this->Options.Iterations)
+      {
+        break;
+      }
+      this->Run.Report(static_cast<double>(state.Iteration) / this->Options.Iterations);
+      this->Move(state);
+      converged = state.LargestMovePx < this->Options.ConvergencePx;
+    }
+    return { std::move(this->Mesh), std::move(this->Energies), std::move(this->Active),
+      state.Iteration, converged };
+  }
+
+private:
+  /** Energies where the points are, and the best move of each; the mesh stays as it is. */
+  void Measure()
+  {
+    this->Normals = VertexNormals(this->Mesh);
+    this->DepthOfView.clear();
+    for (const View& view : this->Views)
+    {
+      this->DepthOfView.push_back(Rasterise(this->Mesh, view.Cam, this->Run).Depth);
+    }
+    this->Run.ForEach(static_cast<std::int64_t>(this->Mesh.Points.size()),
+      [&](std::int64_t ptId)
+      {
+        this->Moves[ptId] = 0;
+        if (this->Active[ptId])
+        {
+          this->MeasurePoint(static_cast<int>(ptId));
+        }
+      });
+  }
+
+  /** The reference that the normal points to most directly among those that see the point. */
+  int KeyOf(int ptId) const
+  {
+    int best = -1;
+    double bestCosine = 0;
+    const Vector3d& point = this->Mesh.Points[ptId];
+    for (std::size_t viewId = 0; viewId < this->Views.size(); ++viewId)
+    {
+      const Camera& camera = this->Views[viewId].Cam;
+      const double z = camera.Depth(point);
+      const double cosine = this->Normals[ptId].dot((camera.Centre() - point).normalized());
+      if (z <= 0 || cosine <= bestCosine)
+      {
+        continue;
+      }
+      const Vector2d pixel = camera.Project(point);
+      if (camera.InFrame(pixel) &&
+        DepthBehind(this->DepthOfView[viewId].Ref(), pixel, z) < 1.5 * camera.PixelFootprint(z))
+      {
+        best = static_cast<int>(viewId);
+        bestCosine = cosine;
+      }
+    }
+    return best;
+  }
+
+  void MeasurePoint(int ptId)
+  {
+    const Vector3d here = this->Mesh.Points[ptId];
+    const double footprint = this->Novel.PixelFootprint(this->Novel.Depth(here));
+    const Vector3d ray = (here - this->Centre).normalized();
+    const int key = this->KeyOf(ptId);
+    std::vector<SubPoint> subPoints;
+    if (key >= 0)
+    {
+      subPoints =
+        MatchSecondaries(here, this->Views, key, this->NeighbourViews[key], this->Options);
+    }
+    std::vector<Vector3d> neighbours;
+    for (const int other : this->Neighbours.Points(ptId))
+    {
+      neighbours.push_back(this->Mesh.Points[other]);
+    }
+    const auto energyAt = [&](const Vector3d& point)
+    {
+      PointEnergy energy;
+      const int secondaries = this->Options.Secondaries;
+      const double beta = SubPointReliability(subPoints, secondaries);
+      energy.Photo = SubPointEnergy(point, subPoints, secondaries, footprint);
+      energy.Contour = std::abs(this->Hull.Value(point)) / footprint;
+      energy.Smooth = RaySmoothnessEnergy(point, ray, neighbours, footprint);
+      energy.Total =
+        energy.Photo + (1 - beta) * energy.Contour + this->Options.Alpha * energy.Smooth;
+      return energy;
+    };
+    const PointEnergy now = energyAt(here);
+    this->Energies[ptId] = now;
+    double least = now.Total;
+    const int steps = static_cast<int>(this->Options.SearchPx / this->Options.StepPx + 0.5);
+    for (int step = -steps; step <= steps; ++step)
+    {
+      const double offset = step * this->Options.StepPx;
+      const double total = step ? energyAt(here + offset * footprint * ray).Total : least;
+      if (total < least)
+      {
+        least = total;
+        this->Moves[ptId] = offset;
+      }
+    }
+  }
+
+  void Move(DeformationState& state)
+  {
+    state.PointsMoved = 0;
+    state.LargestMovePx = 0;
+    for (std::size_t ptId = 0; ptId < this->Mesh.Points.size(); ++ptId)
+    {
+      if (this->Moves[ptId] == 0)
+      {
+        continue;
+      }
+      Vector3d& point = this->Mesh.Points[ptId];
+      const double footprint = this->Novel.PixelFootprint(this->Novel.Depth(point));
+      point += this->Moves[ptId] * footprint * (point - this->Centre).normalized();
+      ++state.PointsMoved;
+      state.LargestMovePx = std::max(state.LargestMovePx, std::abs(this->Moves[ptId]));
+    }
+  }
+
+  TriangleMesh Mesh;
+  std::vector<std::uint8_t> Active;
+  MeshNeighbours Neighbours;
+  const std::vector<View>& Views;
+  const Camera& Novel;
+  const Vector3d Centre;
+  const SilhouetteField Hull;
+  const std::vector<std::vector<int>> NeighbourViews;
+  const NonOutlineOptions& Options;
+  const Execution& Run;
+  std::vector<PointEnergy> Energies;
+  std::vector<double> Moves; ///< of each point, pixel footprints along its ray
+  std::vector<Vector3d> Normals;
+  std::vector<Image<float>> DepthOfView;
+};
+
+/** Unit direction of the epipolar line at the projection of a point, in the other picture. */
+bool EpipolarDirection(
+  const Camera& key, const Camera& other, const Vector3d& point, Vector2d& direction)
+{
+  const Vector3d further = point + 1e-3 * (point - key.Centre());
+  if (other.Depth(point) <= 0 || other.Depth(further) <= 0)
+  {
+    return false;
+  }
+  direction = other.Project(further) - other.Project(point);
+  const double length = direction.norm();
+  direction /= length;
+  return length > 0;
+}
+}
+
+double SubPointEnergy(
+  const Vector3d& point, const std::vector<SubPoint>& subPoints, int secondaries, double footprint)
+{
+  double sum = 0;
+  for (const SubPoint& sub : subPoints)
+  {
+    sum += sub.Weight * (sub.Position - point).norm();
+  }
+  return sum / (footprint * secondaries);
+}
+
+double SubPointReliability(const std::vector<SubPoint>& subPoints, int secondaries)
+{
+  double sum = 0;
+  for (const SubPoint& sub : subPoints)
+  {
+    sum += sub.Weight;
+  }
+  return sum / secondaries;
+}
+
+double RaySmoothnessEnergy(const Vector3d& point, const Vector3d& ray,
+  const std::vector<Vector3d>& neighbours, double footprint)
+{
+  double sum = 0;
+  for (const Vector3d& neighbour : neighbours)
+  {
+    sum += (neighbour - point).dot(ray);
+  }
+  return neighbours.empty() ? 0
+                            : std::abs(sum) / (footprint * static_cast<double>(neighbours.size()));
+}
+
+std::vector<SubPoint> MatchSecondaries(const Vector3d& point, const std::vector<View>& views,
+  int key, const std::vector<int>& secondaries, const NonOutlineOptions& options)
+{
+  std::vector<SubPoint> subPoints;
+  const Camera& keyCamera = views[key].Cam;
+  const Vector2d keyPixel = keyCamera.Project(point);
+  const WindowMatcher matcher(views[key], keyPixel, options.WindowRadius);
+  for (const int viewId : secondaries)
+  {
+    const Camera& camera = views[viewId].Cam;
+    Vector2d along;
+    if (!EpipolarDirection(keyCamera, camera, point, along))
+    {
+      continue;
+    }
+    const Vector2d start = camera.Project(point);
+    const Vector2d across(-along.y(), along.x());
+    double best = 0;
+    Vector2d bestPixel;
+    for (int i = -options.MatchRangePx; i <= options.MatchRangePx; ++i)
+    {
+      for (int j = -options.MatchAcrossPx; j <= options.MatchAcrossPx; ++j)
+      {
+        const Vector2d pixel = start + i * along + j * across;
+        const double similarity =
+          camera.InFrame(pixel) ? matcher.Similarity(views[viewId], pixel) : 0;
+        if (similarity > best)
+        {
+          best = similarity;
+          bestPixel = pixel;
+        }
+      }
+    }
+    SubPoint sub;
+    if (best > 0 && Triangulate(keyCamera, keyPixel, camera, bestPixel, sub.Position))
+    {
+      sub.Weight = std::min(best, 1.0);
+      subPoints.push_back(sub);
+    }
+  }
+  return subPoints;
+}
+
+DeformationResult DeformNonOutline(const TriangleMesh& mesh,
+  const std::vector<std::uint8_t>& active, const std::vector<View>& views, const Camera& novel,
+  const NonOutlineOptions& options, const DeformationListener& listener, const Execution& execution)
+{
+  return NonOutlineDeformer(mesh, active, views, novel, options, execution).Deform(listener);
+}
+}

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class vtkNonOutlineDeformer
+ * @brief Moves the visible points that are no outline points along their viewing rays.
+ *
+ * Every visible point moves only on the line L through itself and the novel camera's centre, so
+ * faces never cross in the novel picture and concavities can open. In each iteration it goes to the
+ * least, within SearchRange, of
+ *
+ *     E        = beta E_s + (1 - beta) E_vh + SmoothWeight E_r      [6]
+ *     beta E_s = mean over the secondaries of w_k |P_sub,k - P|     [7]
+ *     beta     = mean over the secondaries of w_k                   [8]
+ *     E_vh     = distance from P to the visual hull                 [9]
+ *     E_r      = |mean over the neighbours of (P_r,i - P) . V|      [10]
+ *
+ * with V the unit vector of L. P_sub,k is triangulated between the key image (the reference the
+ * point's normal points to most directly among those that see it) and the most similar window in
+ * secondary k, w_k that similarity. All lengths are divided by the pixel footprint, the world size
+ * of one novel pixel at the point's depth.
+ *
+ * Ports and arrays: see vtkViewDeformer. The points moved are those with `Visible` 1 (or no such
+ * array) and `OutlineFlag` 0 (or no such array). Added point arrays: `Energy`, `EnergyPhoto`
+ * (beta E_s), `EnergyHull`, `EnergySmooth`.
+ *
+ * Differs from the paper: windows are searched along the epipolar line of the key ray (MatchRange)
+ * and a little across it rather than in a square; similarity is the normalised cross-correlation,
+ * which, unlike a sum of squares, is 0 for unrelated windows; the distance to the hull is read from
+ * the silhouette field (the least over the views of the distance to the silhouette's cone).
+ *
+ * Reference: Chia, He and Lin 2013, section 2.3.
+ */
+#ifndef vtkNonOutlineDeformer_h
+#define vtkNonOutlineDeformer_h
+
+#include "vtkViewDeformer.h"
+
+class VTKNOVELVIEWFILTERS_EXPORT vtkNonOutlineDeformer : public vtkViewDeformer
+{
+public:
+  static vtkNonOutlineDeformer* New();
+  vtkTypeMacro(vtkNonOutlineDeformer, vtkViewDeformer);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** alpha of [6], weight of the smoothness energy. Default 0.3, range 0 to 100. */
+  vtkSetClampMacro(SmoothWeight, double, 0.0, 100.0);
+  vtkGetMacro(SmoothWeight, double);
+  ///@}
+
+  ///@{
+  /** How far a point may move in one iteration, pixel footprints. Default 4, range 0.25 to 100. */
+  vtkSetClampMacro(SearchRange, double, 0.25, 100.0);
+  vtkGetMacro(SearchRange, double);
+  ///@}
+
+  ///@{
+  /** Radius of the matching windows, input pixels. Default 3 (7x7), range 1 to 7. */
+  vtkSetClampMacro(WindowRadius, int, 1, 7);
+  vtkGetMacro(WindowRadius, int);
+  ///@}
+
+  ///@{
+  /** Search range along the epipolar line, each way, input pixels. Default 6, range 0 to 64. */
+  vtkSetClampMacro(MatchRange, int, 0, 64);
+  vtkGetMacro(MatchRange, int);
+  ///@}
+
+protected:
+  vtkNonOutlineDeformer() = default;
+  ~vtkNonOutlineDeformer() override = default;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  const char* ContourArrayName() const override { return "EnergyHull"; }
+  bool MovesOutline() const override { return false; }
+
+  double SmoothWeight = 0.3;
+  double SearchRange = 4.0;
+  int WindowRadius = 3;
+  int MatchRange = 6;
+
+private:
+  vtkNonOutlineDeformer(const vtkNonOutlineDeformer&) = delete;
+  void operator=(const vtkNonOutlineDeformer&) = delete;
+};
+
+#endif

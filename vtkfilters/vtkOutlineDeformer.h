@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class vtkOutlineDeformer
+ * @brief Moves the outline points of a mesh in the novel image plane by photo-consistency.
+ *
+ * Outline points are the visible vertices whose projection lies on the contour of the model's own
+ * silhouette in the novel picture. In each iteration each of them moves in the plane through it
+ * parallel to the novel image plane, along the direction from its projection to the centroid of the
+ * background pixels in the 5x5 window around it, both ways, to the candidate with the least
+ *
+ *     E   = E_s + ContourWeight E_c + SmoothWeight E_r                                    [1]
+ *     E_s = mean over the key's neighbours of the normalised sum of squared differences   [2, 3]
+ *     E_c = mean over the near views of min(d, sigma) / sigma                             [4]
+ *     E_r = mean over the neighbouring outline points of |V_m . V_i|                      [5]
+ *
+ * and only if E is less there and no triangle flips in the novel picture.
+ *
+ * Ports and arrays: see vtkViewDeformer. Out 0 holds only the triangles that face the novel camera;
+ * added point arrays: `OutlineFlag` (uint8, 1 = outline point), `Energy`, `EnergyPhoto`,
+ * `EnergyContour`, `EnergySmooth` (unweighted terms).
+ *
+ * Differs from the paper: a window with less than a quarter of its pixels in common takes the worst
+ * photo energy (the paper does not say); a move that would fold a triangle is shortened to the next
+ * best candidate.
+ *
+ * Reference: Chia, He and Lin 2013, section 2.2.
+ */
+#ifndef vtkOutlineDeformer_h
+#define vtkOutlineDeformer_h
+
+#include "vtkViewDeformer.h"
+
+class VTKNOVELVIEWFILTERS_EXPORT vtkOutlineDeformer : public vtkViewDeformer
+{
+public:
+  static vtkOutlineDeformer* New();
+  vtkTypeMacro(vtkOutlineDeformer, vtkViewDeformer);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** alpha of [1], weight of the contour energy. Default 0.3, range 0 to 100. */
+  vtkSetClampMacro(ContourWeight, double, 0.0, 100.0);
+  vtkGetMacro(ContourWeight, double);
+  ///@}
+
+  ///@{
+  /** beta of [1], weight of the smoothness energy. Default 0.3, range 0 to 100. */
+  vtkSetClampMacro(SmoothWeight, double, 0.0, 100.0);
+  vtkGetMacro(SmoothWeight, double);
+  ///@}
+
+  ///@{
+  /** How far a point may move in one iteration, novel pixels. Default 2, range 0.25 to 50. */
+  vtkSetClampMacro(SearchRange, double, 0.25, 50.0);
+  vtkGetMacro(SearchRange, double);
+  ///@}
+
+  ///@{
+  /** Radius of the photo-consistency windows, input pixels. Default 3 (7x7), range 1 to 7. */
+  vtkSetClampMacro(WindowRadius, int, 1, 7);
+  vtkGetMacro(WindowRadius, int);
+  ///@}
+
+  ///@{
+  /** sigma of the contour energy, input pixels. Default 8, range 0.5 to 100. */
+  vtkSetClampMacro(ContourSigma, double, 0.5, 100.0);
+  vtkGetMacro(ContourSigma, double);
+  ///@}
+
+protected:
+  vtkOutlineDeformer() = default;
+  ~vtkOutlineDeformer() override = default;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  const char* ContourArrayName() const override { return "EnergyContour"; }
+  bool MovesOutline() const override { return true; }
+
+  double ContourWeight = 0.3;
+  double SmoothWeight = 0.3;
+  double SearchRange = 2.0;
+  int WindowRadius = 3;
+  double ContourSigma = 8.0;
+
+private:
+  vtkOutlineDeformer(const vtkOutlineDeformer&) = delete;
+  void operator=(const vtkOutlineDeformer&) = delete;
+};
+
+#endif
