@@ -5,6 +5,7 @@
 #include "PhotoConsistency.h"
 #include "Rasteriser.h"
 #include "SilhouetteField.h"
+#include "ViewSelection.h"
 
 #include <algorithm>
 #include <cmath>

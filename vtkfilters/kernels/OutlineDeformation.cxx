@@ -4,6 +4,7 @@
 #include "MeshNeighbours.h"
 #include "NovelProjection.h"
 #include "PhotoConsistency.h"
+#include "ViewSelection.h"
 
 #include <algorithm>
 #include <cmath>

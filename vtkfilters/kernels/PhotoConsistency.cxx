@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace novelview
 {
@@ -147,35 +146,6 @@ double WindowMatcher::Similarity(const View& other, const Vector2d& otherCentre)
   }
   const double floor = 3 * count * this->Noise;
   return std::max(product, 0.0) / std::sqrt((squareA + floor) * (squareB + floor));
-}
-
-std::vector<int> ViewsByAngle(const std::vector<View>& views, const Vector3d& direction)
-{
-  std::vector<int> order(views.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::vector<double> cosine(views.size());
-  for (std::size_t i = 0; i < views.size(); ++i)
-  {
-    cosine[i] = views[i].Cam.OpticalAxis().dot(direction);
-  }
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return cosine[a] > cosine[b]; });
-  return order;
-}
-
-std::vector<std::vector<int>> NearestNeighbours(const std::vector<View>& views, int count)
-{
-  std::vector<std::vector<int>> neighbours(views.size());
-  for (std::size_t i = 0; i < views.size(); ++i)
-  {
-    for (const int j : ViewsByAngle(views, views[i].Cam.OpticalAxis()))
-    {
-      if (j != static_cast<int>(i) && static_cast<int>(neighbours[i].size()) < count)
-      {
-        neighbours[i].push_back(j);
-      }
-    }
-  }
-  return neighbours;
 }
 
 bool Triangulate(const Camera& key, const Vector2d& keyPixel, const Camera& other,

@@ -41,12 +41,6 @@ private:
   std::vector<char> Valid;
 };
 
-/** Views ordered by the angle of their optical axis to a direction, least first. */
-std::vector<int> ViewsByAngle(const std::vector<View>& views, const Eigen::Vector3d& direction);
-
-/** For every view the `count` other views nearest to it in angle. */
-std::vector<std::vector<int>> NearestNeighbours(const std::vector<View>& views, int count);
-
 /**
  * The point on the key ray (through `keyPixel`) nearest to the ray through `otherPixel`, which is
  * where both see the same surface point. Returns false for (nearly) parallel rays or a point behind

@@ -3,6 +3,7 @@
 
 #include "SearchBox.h"
 #include "SilhouetteField.h"
+#include "ViewSelection.h"
 
 #include <algorithm>
 #include <array>
@@ -40,23 +41,14 @@ struct CellSample
   Vector3d Normal;
 };
 
-double MedianFootprint(const std::vector<View>& views, const Vector3d& at)
+double FootprintAt(const std::vector<View>& views, const Vector3d& at)
 {
-  std::vector<double> sizes;
-  for (const View& view : views)
-  {
-    const double depth = view.Cam.Depth(at);
-    if (depth > 0)
-    {
-      sizes.push_back(view.Cam.PixelFootprint(depth));
-    }
-  }
-  if (sizes.empty())
+  const double footprint = MedianFootprint(views, at);
+  if (footprint <= 0)
   {
     throw Error("visual hull", "the middle of the search box lies behind every camera");
   }
-  std::nth_element(sizes.begin(), sizes.begin() + sizes.size() / 2, sizes.end());
-  return sizes[sizes.size() / 2];
+  return footprint;
 }
 
 /** Blocks that the surface may pass through, in a fixed order; and whether one is all inside. */
@@ -434,7 +426,7 @@ VisualHullResult ComputeVisualHull(
   VisualHullResult result;
   const SilhouetteField field(views);
   result.Box = options.Box ? *options.Box : FindSearchBox(views);
-  result.Spacing = options.SpacingPx * MedianFootprint(views, result.Box.center());
+  result.Spacing = options.SpacingPx * FootprintAt(views, result.Box.center());
   if (!options.Box)
   {
     // The found box touches the hull; leave room for the test that it does not.

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "StageRunner.h"
+
+#include "Error.h"
+
+#include <vtkAlgorithm.h>
+#include <vtkCallbackCommand.h>
+#include <vtkExecutive.h>
+#include <vtkNew.h>
+
+#include <chrono>
+
+namespace novelview
+{
+namespace
+{
+/** The part of VTK's error text that the filter wrote: after "class (address): ". */
+std::string OwnText(const std::string& text)
+{
+  const std::size_t address = text.find("): ");
+  std::string own = address == std::string::npos ? text : text.substr(address + 3);
+  while (!own.empty() && (own.back() == '\n' || own.back() == ' '))
+  {
+    own.pop_back();
+  }
+  return own;
+}
+
+/** Listens to one filter for as long as it lives. */
+class StageObserver
+{
+public:
+  StageObserver(const std::string& stage, vtkAlgorithm* filter, const StageProgress& progress)
+    : Stage(stage)
+    , Filter(filter)
+    , Progress(progress)
+  {
+    this->Command->SetClientData(this);
+    this->Command->SetCallback(&StageObserver::Hear);
+    filter->AddObserver(vtkCommand::ErrorEvent, this->Command);
+    filter->AddObserver(vtkCommand::ProgressEvent, this->Command);
+    filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Command);
+  }
+  ~StageObserver()
+  {
+    this->Filter->RemoveObserver(this->Command);
+    this->Filter->GetExecutive()->RemoveObserver(this->Command);
+  }
+
+  std::string FirstError;
+  bool StopAsked = false;
+
+private:
+  static void Hear(vtkObject* caller, unsigned long event, void* clientData, void* callData)
+  {
+    auto* self = static_cast<StageObserver*>(clientData);
+    if (event == vtkCommand::ErrorEvent)
+    {
+      // The executive's own error only says that the filter failed.
+      if (self->FirstError.empty() || caller == self->Filter)
+      {
+        self->FirstError = OwnText(static_cast<const char*>(callData));
+      }
+    }
+    else if (self->Progress && !self->Progress(self->Stage, *static_cast<const double*>(callData)))
+    {
+      self->StopAsked = true;
+      self->Filter->SetAbortExecute(1);
+    }
+  }
+
+  const std::string& Stage;
+  vtkAlgorithm* Filter;
+  const StageProgress& Progress;
+  vtkNew<vtkCallbackCommand> Command;
+};
+}
+
+void RunStage(const std::string& stage, vtkAlgorithm* filter, const StageProgress& progress,
+  const StageDone& done)
+{
+  StageObserver observer(stage, filter, progress);
+  const auto start = std::chrono::steady_clock::now();
+  filter->SetAbortExecute(0);
+  filter->Update();
+  if (observer.StopAsked)
+  {
+    throw Interrupted();
+  }
+  if (!observer.FirstError.empty())
+  {
+    throw Error(stage, observer.FirstError);
+  }
+  if (done)
+  {
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+    done(stage, taken.count());
+  }
+}
+}

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Synthesis.h"
+
+#include "Error.h"
+#include "StageRunner.h"
+#include "ViewAccess.h"
+#include "vtkNonOutlineDeformer.h"
+#include "vtkOutlineDeformer.h"
+#include "vtkPinholeCamera.h"
+#include "vtkPowerCrustMesher.h"
+#include "vtkViewDependentTextureMapper.h"
+#include "vtkVisibilityCuller.h"
+#include "vtkVisualHullSource.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkNew.h>
+
+namespace novelview
+{
+SynthesisOptions PresetOptions(const std::string& preset)
+{
+  SynthesisOptions options;
+  options.Preset = preset;
+  if (preset == "paper")
+  {
+    return options;
+  }
+  if (preset == "best")
+  {
+    return options;
+  }
+  throw Error("preset", "unknown", preset, "best or paper");
+}
+
+class Synthesis::Internals
+{
+public:
+  Internals(
+    vtkMultiBlockDataSet* views, const SynthesisOptions& options, SynthesisListener listener)
+    : Views(views)
+    , Options(options)
+    , Listener(std::move(listener))
+  {
+    this->HullSource->SetInputData(views);
+    this->HullSource->SetSampleSpacing(options.HullSpacingPx);
+    this->HullSource->SetKeepAllComponents(options.HullKeepAll);
+    if (options.HullBox)
+    {
+      const auto& b = *options.HullBox;
+      this->HullSource->SetSearchBounds(b[0], b[3], b[1], b[4], b[2], b[5]);
+    }
+    this->Mesher->SetInputConnection(this->HullSource->GetOutputPort());
+    this->Culler->SetInputConnection(this->Mesher->GetOutputPort());
+
+    this->Outline->SetInputConnection(0, this->Culler->GetOutputPort());
+    this->Outline->SetInputData(1, views);
+    this->Outline->SetNumberOfIterations(options.OutlineIterations);
+    this->Outline->SetContourWeight(options.OutlineAlpha);
+    this->Outline->SetSmoothWeight(options.OutlineBeta);
+    this->Outline->SetSearchRange(options.OutlineSearchPx);
+
+    this->NonOutline->SetInputConnection(0, this->Outline->GetOutputPort());
+    this->NonOutline->SetInputData(1, views);
+    this->NonOutline->SetNumberOfIterations(options.NonOutlineIterations);
+    this->NonOutline->SetSmoothWeight(options.NonOutlineAlpha);
+
+    this->Mapper->SetInputData(1, views);
+    this->Mapper->SetReferences(options.References);
+    this->Mapper->SetPower(options.Power);
+  }
+
+  void RunHull()
+  {
+    this->Run("visual hull", this->HullSource);
+    if (const int dropped = this->HullSource->GetNumberOfDroppedComponents();
+        dropped > 0 && !this->ToldOfDropped && this->Listener.Warn)
+    {
+      this->ToldOfDropped = true;
+      this->Listener.Warn("visual hull: " + std::to_string(dropped) +
+        " smaller component(s) with " +
+        std::to_string(this->HullSource->GetNumberOfDroppedSamples()) +
+        " samples left out; all are kept with the option for it");
+    }
+  }
+
+  void RunCrust()
+  {
+    this->RunHull();
+    this->Run("power crust", this->Mesher);
+  }
+
+  NovelView Render(const Camera& camera, Stage upTo)
+  {
+    const auto pinhole = NewPinholeCamera(camera);
+    this->Culler->SetCamera(pinhole);
+    this->Outline->SetCamera(pinhole);
+    this->NonOutline->SetCamera(pinhole);
+    this->Mapper->SetCamera(pinhole);
+    this->RunCrust();
+    this->Run("culling", this->Culler);
+    this->Mapper->SetInputConnection(2, this->Culler->GetOutputPort(1));
+    vtkPolyDataAlgorithm* last = this->Culler;
+    if (upTo != Stage::Hull)
+    {
+      this->RunDeformer("outline", this->Outline, Stage::Outline);
+      last = this->Outline;
+    }
+    if (upTo == Stage::Full)
+    {
+      this->RunDeformer("non-outline", this->NonOutline, Stage::Full);
+      last = this->NonOutline;
+    }
+    NovelView result;
+    result.Mesh = vtkSmartPointer<vtkPolyData>::New();
+    result.Mesh->ShallowCopy(last->GetOutput());
+    result.Image = this->Textured(result.Mesh, "texture");
+    return result;
+  }
+
+  vtkSmartPointer<vtkImageData> Texture(vtkPolyData* mesh, const Camera& camera)
+  {
+    this->Mapper->SetCamera(NewPinholeCamera(camera));
+    this->Mapper->RemoveAllInputConnections(2);
+    return this->Textured(mesh, "texture");
+  }
+
+  vtkSmartPointer<vtkMultiBlockDataSet> Views;
+  const SynthesisOptions Options;
+  const SynthesisListener Listener;
+  vtkNew<vtkVisualHullSource> HullSource;
+  vtkNew<vtkPowerCrustMesher> Mesher;
+
+private:
+  void Run(const std::string& stage, vtkAlgorithm* filter)
+  {
+    RunStage(stage, filter, this->Listener.Progress, this->Listener.StageDone);
+  }
+
+  vtkSmartPointer<vtkImageData> Textured(vtkPolyData* mesh, const char* stage)
+  {
+    this->Mapper->SetInputData(0, mesh);
+    // Pictures taken between iterations are part of their stage, and not told of.
+    stage ? this->Run(stage, this->Mapper) : RunStage("texture", this->Mapper);
+    auto image = vtkSmartPointer<vtkImageData>::New();
+    image->ShallowCopy(this->Mapper->GetOutput());
+    return image;
+  }
+
+  void RunDeformer(const std::string& stage, vtkViewDeformer* filter, Stage step)
+  {
+    vtkNew<vtkCallbackCommand> command;
+    struct Context
+    {
+      Internals* Self;
+      Stage Step;
+    } context{ this, step };
+    command->SetClientData(&context);
+    command->SetCallback(
+      [](vtkObject* caller, unsigned long, void* data, void*)
+      {
+        auto* heard = static_cast<Context*>(data);
+        heard->Self->TellIteration(static_cast<vtkViewDeformer*>(caller), heard->Step);
+      });
+    if (this->Listener.Iteration)
+    {
+      filter->AddObserver(vtkViewDeformer::IterationEvent, command);
+      filter->Modified(); // observers do not count as a change, but this run must be watched
+    }
+    try
+    {
+      this->Run(stage, filter);
+    }
+    catch (...)
+    {
+      filter->RemoveObserver(command);
+      throw;
+    }
+    filter->RemoveObserver(command);
+  }
+
+  void TellIteration(vtkViewDeformer* filter, Stage step)
+  {
+    const auto image = this->Textured(filter->GetCurrentMesh(), nullptr);
+    IterationState state;
+    state.Step = step;
+    state.Iteration = filter->GetIteration();
+    state.MeanEnergy = filter->GetMeanEnergy();
+    state.MeanPhoto = filter->GetMeanPhotoEnergy();
+    state.MeanContour = filter->GetMeanContourEnergy();
+    state.MeanSmooth = filter->GetMeanSmoothEnergy();
+    state.PointsMoved = static_cast<long>(filter->GetPointsMoved());
+    state.Mesh = filter->GetCurrentMesh();
+    state.Image = image;
+    this->Listener.Iteration(state);
+  }
+
+  vtkNew<vtkVisibilityCuller> Culler;
+  vtkNew<vtkOutlineDeformer> Outline;
+  vtkNew<vtkNonOutlineDeformer> NonOutline;
+  vtkNew<vtkViewDependentTextureMapper> Mapper;
+  bool ToldOfDropped = false;
+};
+
+Synthesis::Synthesis(
+  vtkMultiBlockDataSet* views, const SynthesisOptions& options, SynthesisListener listener)
+  : Own(std::make_unique<Internals>(views, options, std::move(listener)))
+{
+}
+
+Synthesis::~Synthesis() = default;
+
+vtkPolyData* Synthesis::Hull()
+{
+  this->Own->RunHull();
+  return this->Own->HullSource->GetOutput();
+}
+
+vtkPolyData* Synthesis::Crust()
+{
+  this->Own->RunCrust();
+  return this->Own->Mesher->GetOutput();
+}
+
+vtkPolyData* Synthesis::MedialBalls()
+{
+  this->Own->RunCrust();
+  return vtkPolyData::SafeDownCast(this->Own->Mesher->GetOutputDataObject(1));
+}
+
+NovelView Synthesis::Render(const Camera& camera, Stage upTo)
+{
+  return this->Own->Render(camera, upTo);
+}
+
+vtkSmartPointer<vtkImageData> Synthesis::Texture(vtkPolyData* mesh, const Camera& camera)
+{
+  return this->Own->Texture(mesh, camera);
+}
+}

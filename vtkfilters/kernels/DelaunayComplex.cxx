@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "DelaunayComplex.h"
+
+#include "Error.h"
+#include "PowerDiagram.h"
+
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Spatial_sort_traits_adapter_3.h>
+#include <CGAL/Triangulation_cell_base_with_info_3.h>
+#include <CGAL/Triangulation_vertex_base_with_info_3.h>
+#include <CGAL/property_map.h>
+#include <CGAL/spatial_sort.h>
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+
+namespace novelview
+{
+namespace
+{
+/** The id of a vertex or cell; -1 until it is set. */
+struct Id
+{
+  int Value = -1;
+};
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Vertex = CGAL::Triangulation_vertex_base_with_info_3<Id, Kernel>;
+using Cell = CGAL::Triangulation_cell_base_with_info_3<Id, Kernel,
+  CGAL::Delaunay_triangulation_cell_base_3<Kernel>>;
+using Structure = CGAL::Triangulation_data_structure_3<Vertex, Cell>;
+using Triangulation = CGAL::Delaunay_triangulation_3<Kernel, Structure>;
+
+/** How far from the bounding box' centre the far corners are, in diagonals, along each axis. */
+constexpr double CornerDistance = 4;
+
+/** Points whose extent across some plane is below this part of the diagonal count as coplanar. */
+constexpr double FlatnessTolerance = 1e-9;
+
+/** Tetrahedra with six volumes below this part of their longest edge's cube are numerically flat. */
+constexpr double FlatTetTolerance = 1e-11;
+
+Kernel::Point_3 ToKernel(const Eigen::Vector3d& p)
+{
+  return { p.x(), p.y(), p.z() };
+}
+
+void CheckSamples(const std::vector<Eigen::Vector3d>& samples)
+{
+  if (samples.size() < 4)
+  {
+    throw Error("power crust", "too few points", std::to_string(samples.size()), "at least 4");
+  }
+  for (std::size_t i = 0; i < samples.size(); ++i)
+  {
+    if (!samples[i].allFinite())
+    {
+      throw Error("power crust", "point " + std::to_string(i) + " is not finite");
+    }
+  }
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& p : samples)
+  {
+    mean += p / static_cast<double>(samples.size());
+  }
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (const Eigen::Vector3d& p : samples)
+  {
+    spread += (p - mean) * (p - mean).transpose();
+  }
+  const Eigen::Vector3d normal =
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(0);
+  double across = 0;
+  double reach = 0;
+  for (const Eigen::Vector3d& p : samples)
+  {
+    across = std::max(across, std::abs(normal.dot(p - mean)));
+    reach = std::max(reach, (p - mean).norm());
+  }
+  if (reach > 0 && !std::isnormal(reach * reach * reach * reach))
+  {
+    throw Error("power crust", "points are too far apart or too close together to compute with",
+      std::to_string(reach), "an extent between 1e-75 and 1e75");
+  }
+  if (!(across > FlatnessTolerance * reach))
+  {
+    throw Error(
+      "power crust", "all " + std::to_string(samples.size()) + " points lie in one plane");
+  }
+}
+
+std::vector<Eigen::Vector3d> FarCorners(const std::vector<Eigen::Vector3d>& samples)
+{
+  Eigen::Vector3d low = samples.front();
+  Eigen::Vector3d high = samples.front();
+  for (const Eigen::Vector3d& p : samples)
+  {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  const Eigen::Vector3d centre = 0.5 * (low + high);
+  const double reach = CornerDistance * (high - low).norm();
+  std::vector<Eigen::Vector3d> corners;
+  for (int i = 0; i < DelaunayComplex::NumberOfCorners; ++i)
+  {
+    corners.push_back(
+      centre + reach * Eigen::Vector3d(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1));
+  }
+  return corners;
+}
+
+/** Inserts the samples along a space-filling curve, then the corners. Returns the duplicates. */
+int InsertPoints(const std::vector<Eigen::Vector3d>& points, int numberOfSamples,
+  const Execution& execution, Triangulation& triangulation)
+{
+  std::vector<Kernel::Point_3> kernelPoints(points.size());
+  std::transform(points.begin(), points.end(), kernelPoints.begin(), ToKernel);
+  std::vector<std::size_t> order(static_cast<std::size_t>(numberOfSamples));
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  using Map = CGAL::Pointer_property_map<Kernel::Point_3>::type;
+  CGAL::spatial_sort(order.begin(), order.end(),
+    CGAL::Spatial_sort_traits_adapter_3<Kernel, Map>(CGAL::make_property_map(kernelPoints)));
+  for (std::size_t i = static_cast<std::size_t>(numberOfSamples); i < points.size(); ++i)
+  {
+    order.push_back(i);
+  }
+
+  int duplicates = 0;
+  Triangulation::Vertex_handle hint;
+  constexpr std::size_t reportEvery = 1 << 14;
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    hint = triangulation.insert(kernelPoints[order[i]], hint);
+    const int id = static_cast<int>(order[i]);
+    duplicates += hint->info().Value >= 0;
+    hint->info().Value = hint->info().Value >= 0 ? std::min(hint->info().Value, id) : id;
+    if (i % reportEvery == 0)
+    {
+      execution.Report(0.3 * static_cast<double>(i) / static_cast<double>(order.size()));
+    }
+  }
+  return duplicates;
+}
+
+void ExportTets(Triangulation& triangulation, DelaunayComplex& complex)
+{
+  const std::size_t expected = triangulation.number_of_vertices() * 7;
+  complex.Tets.reserve(expected);
+  int count = 0;
+  for (Triangulation::Cell_handle cell : triangulation.finite_cell_handles())
+  {
+    cell->info().Value = count++;
+    std::array<int, 4> tet;
+    for (int i = 0; i < 4; ++i)
+    {
+      tet[i] = cell->vertex(i)->info().Value;
+    }
+    complex.Tets.push_back(tet);
+  }
+  complex.Neighbors.reserve(complex.Tets.size());
+  for (Triangulation::Cell_handle cell : triangulation.finite_cell_handles())
+  {
+    std::array<int, 4> neighbors;
+    for (int i = 0; i < 4; ++i)
+    {
+      neighbors[i] = cell->neighbor(i)->info().Value; // -1 for infinite cells
+    }
+    complex.Neighbors.push_back(neighbors);
+  }
+}
+
+/** Circumcentre of the triangle a, b, c. */
+Eigen::Vector3d CircumcentreOfTriangle(
+  const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c)
+{
+  const Eigen::Vector3d u = b - a;
+  const Eigen::Vector3d v = c - a;
+  const Eigen::Vector3d n = u.cross(v);
+  const double squared = n.squaredNorm();
+  if (!(squared > 0))
+  {
+    return (a + b + c) / 3;
+  }
+  return a + (u.squaredNorm() * v.cross(n) + v.squaredNorm() * n.cross(u)) / (2 * squared);
+}
+
+Eigen::Vector3d CircumcentreOfFlatTet(const DelaunayComplex& complex, int tet)
+{
+  double largest = -1;
+  Eigen::Vector3d centre = complex.Points[complex.Tets[tet][0]];
+  for (int i = 0; i < 4; ++i)
+  {
+    const std::array<int, 3> f = complex.Facet(tet, i);
+    const Eigen::Vector3d& a = complex.Points[f[0]];
+    const Eigen::Vector3d& b = complex.Points[f[1]];
+    const Eigen::Vector3d& c = complex.Points[f[2]];
+    const double area = (b - a).cross(c - a).squaredNorm();
+    if (area > largest)
+    {
+      largest = area;
+      centre = CircumcentreOfTriangle(a, b, c);
+    }
+  }
+  return centre;
+}
+
+void ComputeCircumsphere(DelaunayComplex& complex, int tet)
+{
+  const std::array<int, 4>& t = complex.Tets[tet];
+  const Eigen::Vector3d& base = complex.Points[t[0]];
+  const Eigen::Vector3d u = complex.Points[t[1]] - base;
+  const Eigen::Vector3d v = complex.Points[t[2]] - base;
+  const Eigen::Vector3d w = complex.Points[t[3]] - base;
+  const double det = u.dot(v.cross(w));
+  const double longest = std::max({ u.squaredNorm(), v.squaredNorm(), w.squaredNorm() });
+  if (det > FlatTetTolerance * longest * std::sqrt(longest))
+  {
+    const Eigen::Vector3d offset =
+      (u.squaredNorm() * v.cross(w) + v.squaredNorm() * w.cross(u) + w.squaredNorm() * u.cross(v)) /
+      (2 * det);
+    complex.Centres[tet] = base + offset;
+    complex.Radii[tet] = offset.norm();
+    return;
+  }
+  complex.Centres[tet] = CircumcentreOfFlatTet(complex, tet);
+  complex.Radii[tet] = (complex.Centres[tet] - base).norm();
+}
+}
+
+double DelaunayComplex::Volume(int tet) const
+{
+  const std::array<int, 4>& t = this->Tets[tet];
+  const Eigen::Vector3d& base = this->Points[t[0]];
+  return (this->Points[t[1]] - base)
+           .cross(this->Points[t[2]] - base)
+           .dot(this->Points[t[3]] - base) /
+    6;
+}
+
+DelaunayComplex BuildDelaunayComplex(
+  const std::vector<Eigen::Vector3d>& samples, const Execution& execution)
+{
+  CheckSamples(samples);
+  DelaunayComplex complex;
+  complex.NumberOfSamples = static_cast<int>(samples.size());
+  complex.Points = samples;
+  const std::vector<Eigen::Vector3d> corners = FarCorners(samples);
+  complex.Points.insert(complex.Points.end(), corners.begin(), corners.end());
+
+  Triangulation triangulation;
+  complex.NumberOfDuplicates =
+    InsertPoints(complex.Points, complex.NumberOfSamples, execution, triangulation);
+  ExportTets(triangulation, complex);
+  complex.Centres.resize(complex.Tets.size());
+  complex.Radii.resize(complex.Tets.size());
+  execution.ForEach(complex.NumberOfTets(),
+    [&complex](std::int64_t tet) { ComputeCircumsphere(complex, static_cast<int>(tet)); });
+  BuildIncidence(complex.Tets, complex.Points.size(), complex.IncidenceStart, complex.Incidence);
+  return complex;
+}
+}

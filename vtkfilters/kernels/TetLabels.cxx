@@ -1,0 +1,455 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "TetLabels.h"
+
+#include "DisjointSets.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <queue>
+
+namespace novelview
+{
+namespace
+{
+/** How often the repair may change its mind about one tetrahedron. */
+constexpr char MaximumTurns = 3;
+
+Side Opposite(Side side)
+{
+  return side == Side::Inside ? Side::Outside : Side::Inside;
+}
+
+//------------------------------------------------------------------------------
+/** A facet over which a label can spread, the strongest first. */
+struct Flow
+{
+  double Agreement;
+  int Tet;
+  Side Label;
+  bool operator<(const Flow& other) const
+  {
+    return this->Agreement != other.Agreement ? this->Agreement < other.Agreement
+                                              : this->Tet > other.Tet;
+  }
+};
+
+//------------------------------------------------------------------------------
+/** The tetrahedra around one sample, grouped by side and connection. */
+class Star
+{
+public:
+  /** One connected group. */
+  struct Piece
+  {
+    Side Label = Side::Unknown;
+    double Volume = 0;
+    bool Frozen = false; ///< holds a tetrahedron that may not be turned over
+    std::vector<int> Tets;
+  };
+
+  explicit Star(const DelaunayComplex& complex)
+    : Complex(complex)
+    , Mark(complex.Tets.size(), -1)
+  {
+  }
+
+  /** Groups the star of `point`. Calls with rising stamps only. */
+  const std::vector<Piece>& Group(
+    int point, const std::vector<Side>& labels, const std::vector<char>& turns)
+  {
+    this->Pieces.clear();
+    ++this->Stamp;
+    const int begin = this->Complex.IncidenceStart[point];
+    const int end = this->Complex.IncidenceStart[point + 1];
+    for (int i = begin; i < end; ++i)
+    {
+      const int seed = this->Complex.Incidence[i];
+      if (this->Mark[seed] != this->Stamp)
+      {
+        this->Pieces.push_back(this->Grow(point, seed, labels, turns));
+      }
+    }
+    return this->Pieces;
+  }
+
+private:
+  Piece Grow(int point, int seed, const std::vector<Side>& labels, const std::vector<char>& turns)
+  {
+    Piece piece;
+    piece.Label = labels[seed];
+    piece.Tets.push_back(seed);
+    this->Mark[seed] = this->Stamp;
+    for (std::size_t head = 0; head < piece.Tets.size(); ++head)
+    {
+      const int tet = piece.Tets[head];
+      piece.Volume += this->Complex.Volume(tet);
+      piece.Frozen |= turns[tet] >= MaximumTurns || this->Complex.TouchesCorner(tet);
+      for (int k = 0; k < 4; ++k)
+      {
+        const int other = this->Complex.Neighbors[tet][k];
+        if (other >= 0 && this->Complex.Tets[tet][k] != point && this->Mark[other] != this->Stamp &&
+          labels[other] == piece.Label)
+        {
+          this->Mark[other] = this->Stamp;
+          piece.Tets.push_back(other);
+        }
+      }
+    }
+    return piece;
+  }
+
+  const DelaunayComplex& Complex;
+  std::vector<int> Mark;
+  std::vector<Piece> Pieces;
+  int Stamp = 0;
+};
+
+//------------------------------------------------------------------------------
+/** What it takes to leave one piece of a side: the volume to turn, and the piece that stays. */
+struct Turnover
+{
+  int Count = 0;
+  int Kept = -1;
+  double Cost = 0;
+  bool Possible = true;
+};
+
+Turnover PlanTurnover(const std::vector<Star::Piece>& pieces, Side side)
+{
+  Turnover plan;
+  // A frozen piece has to stay; two of them cannot be helped from this side.
+  for (int i = 0; i < static_cast<int>(pieces.size()); ++i)
+  {
+    const Star::Piece& piece = pieces[i];
+    if (piece.Label != side)
+    {
+      continue;
+    }
+    ++plan.Count;
+    plan.Cost += piece.Volume;
+    if (plan.Kept < 0)
+    {
+      plan.Kept = i;
+      continue;
+    }
+    const Star::Piece& kept = pieces[plan.Kept];
+    plan.Possible &= !(piece.Frozen && kept.Frozen);
+    if (piece.Frozen != kept.Frozen ? piece.Frozen : piece.Volume > kept.Volume)
+    {
+      plan.Kept = i;
+    }
+  }
+  if (plan.Kept >= 0)
+  {
+    plan.Cost -= pieces[plan.Kept].Volume;
+  }
+  return plan;
+}
+
+/** Turns over what makes the star irregular. Returns the tetrahedra turned; none: it cannot. */
+std::vector<int> RepairStar(
+  const std::vector<Star::Piece>& pieces, std::vector<Side>& labels, std::vector<char>& turns)
+{
+  std::vector<int> turned;
+  const Turnover inside = PlanTurnover(pieces, Side::Inside);
+  const Turnover outside = PlanTurnover(pieces, Side::Outside);
+  const bool insideHelps = inside.Count > 1 && inside.Possible;
+  const bool outsideHelps = outside.Count > 1 && outside.Possible;
+  if (!insideHelps && !outsideHelps)
+  {
+    return turned;
+  }
+  const bool turnInside = insideHelps && (!outsideHelps || inside.Cost <= outside.Cost);
+  const Side side = turnInside ? Side::Inside : Side::Outside;
+  const int kept = turnInside ? inside.Kept : outside.Kept;
+  for (int i = 0; i < static_cast<int>(pieces.size()); ++i)
+  {
+    if (pieces[i].Label == side && i != kept)
+    {
+      for (int tet : pieces[i].Tets)
+      {
+        labels[tet] = Opposite(side);
+        ++turns[tet];
+        turned.push_back(tet);
+      }
+    }
+  }
+  return turned;
+}
+
+bool IsRegular(const std::vector<Star::Piece>& pieces)
+{
+  return pieces.size() <= 1 || (pieces.size() == 2 && pieces[0].Label != pieces[1].Label);
+}
+
+//------------------------------------------------------------------------------
+/** True when all tetrahedra of the sample are on one side. */
+bool IsBuried(const DelaunayComplex& complex, const std::vector<Side>& labels, int sample)
+{
+  const int begin = complex.IncidenceStart[sample];
+  const int end = complex.IncidenceStart[sample + 1];
+  for (int i = begin + 1; i < end; ++i)
+  {
+    if (labels[complex.Incidence[i]] != labels[complex.Incidence[begin]])
+    {
+      return false;
+    }
+  }
+  return begin < end;
+}
+
+/**
+ * How flat the pyramid is that replaces facet `facet` of a tetrahedron by the three others: the
+ * least cos of the angle between the normals of the new facets and of the old one.
+ */
+double PyramidFlatness(const DelaunayComplex& complex, int tet, int facet)
+{
+  auto normalOf = [&](int k) -> Eigen::Vector3d
+  {
+    const std::array<int, 3> f = complex.Facet(tet, k);
+    const Eigen::Vector3d& a = complex.Points[f[0]];
+    return (complex.Points[f[1]] - a).cross(complex.Points[f[2]] - a).stableNormalized();
+  };
+  const Eigen::Vector3d base = normalOf(facet);
+  double least = 1;
+  for (int k = 0; k < 4; ++k)
+  {
+    if (k != facet)
+    {
+      least = std::min(least, -base.dot(normalOf(k)));
+    }
+  }
+  return least;
+}
+
+/** New facets may lean at most this far from the facet they replace: cos of 75 degrees. */
+constexpr double ShallowCosine = 0.26;
+
+/** The tetrahedron whose turning over brings a buried sample out best; -1 when none does. */
+int BestPyramid(const DelaunayComplex& complex, const std::vector<Side>& labels, int sample)
+{
+  int best = -1;
+  double flattest = ShallowCosine;
+  for (int i = complex.IncidenceStart[sample]; i < complex.IncidenceStart[sample + 1]; ++i)
+  {
+    const int tet = complex.Incidence[i];
+    const std::array<int, 4>& t = complex.Tets[tet];
+    const int facet = static_cast<int>(std::find(t.begin(), t.end(), sample) - t.begin());
+    const int other = complex.Neighbors[tet][facet];
+    if (complex.TouchesCorner(tet) || other < 0 || labels[other] == labels[tet])
+    {
+      continue;
+    }
+    const double flatness = PyramidFlatness(complex, tet, facet);
+    if (flatness > flattest)
+    {
+      flattest = flatness;
+      best = tet;
+    }
+  }
+  return best;
+}
+
+/** Pieces of equal label connected through facets: per tetrahedron the piece's lowest one. */
+std::vector<int> FindPieces(const DelaunayComplex& complex, const std::vector<Side>& labels)
+{
+  DisjointSets sets(complex.NumberOfTets());
+  for (int tet = 0; tet < complex.NumberOfTets(); ++tet)
+  {
+    for (int other : complex.Neighbors[tet])
+    {
+      if (other > tet && labels[other] == labels[tet])
+      {
+        sets.Unite(tet, other);
+      }
+    }
+  }
+  std::vector<int> roots(complex.Tets.size());
+  for (int tet = 0; tet < complex.NumberOfTets(); ++tet)
+  {
+    roots[tet] = sets.Find(tet);
+  }
+  return roots;
+}
+
+/** Per piece root, how many different points its tetrahedra have. */
+std::vector<int> CountPiecePoints(const DelaunayComplex& complex, const std::vector<int>& roots)
+{
+  std::vector<int> counts(complex.Tets.size(), 0);
+  std::vector<int> seen;
+  for (std::size_t p = 0; p < complex.Points.size(); ++p)
+  {
+    seen.clear();
+    for (int i = complex.IncidenceStart[p]; i < complex.IncidenceStart[p + 1]; ++i)
+    {
+      const int root = roots[complex.Incidence[i]];
+      if (std::find(seen.begin(), seen.end(), root) == seen.end())
+      {
+        seen.push_back(root);
+        ++counts[root];
+      }
+    }
+  }
+  return counts;
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<Side> LabelTets(
+  const DelaunayComplex& complex, const Poles& poles, const std::vector<Side>& poleLabels)
+{
+  std::vector<Side> labels(complex.Tets.size(), Side::Unknown);
+  for (std::size_t i = 0; i < poles.Tets.size(); ++i)
+  {
+    labels[poles.Tets[i]] = poleLabels[i];
+  }
+  std::priority_queue<Flow> queue;
+  auto spread = [&](int tet)
+  {
+    for (int other : complex.Neighbors[tet])
+    {
+      if (other >= 0 && labels[other] == Side::Unknown)
+      {
+        queue.push({ BallAgreement(complex.Centres[tet], complex.Radii[tet], complex.Centres[other],
+                       complex.Radii[other]),
+          other, labels[tet] });
+      }
+    }
+  };
+  for (int tet = 0; tet < complex.NumberOfTets(); ++tet)
+  {
+    labels[tet] = complex.TouchesCorner(tet) ? Side::Outside : labels[tet];
+  }
+  for (int tet = 0; tet < complex.NumberOfTets(); ++tet)
+  {
+    if (labels[tet] != Side::Unknown)
+    {
+      spread(tet);
+    }
+  }
+  while (!queue.empty())
+  {
+    const Flow flow = queue.top();
+    queue.pop();
+    if (labels[flow.Tet] == Side::Unknown)
+    {
+      labels[flow.Tet] = flow.Label;
+      spread(flow.Tet);
+    }
+  }
+  return labels;
+}
+
+//------------------------------------------------------------------------------
+int RemoveSmallPieces(const DelaunayComplex& complex, int minimumSamples, std::vector<Side>& labels)
+{
+  const std::vector<int> roots = FindPieces(complex, labels);
+  const std::vector<int> counts = CountPiecePoints(complex, roots);
+  int largest = -1; // of the inside; the outside's is the one with the far corners
+  for (int tet = 0; tet < complex.NumberOfTets(); ++tet)
+  {
+    const bool root = roots[tet] == tet && labels[tet] == Side::Inside;
+    largest = root && (largest < 0 || counts[tet] > counts[largest]) ? tet : largest;
+  }
+  std::vector<char> small(complex.Tets.size(), 0);
+  int removed = 0;
+  for (int tet = 0; tet < complex.NumberOfTets(); ++tet)
+  {
+    small[tet] = roots[tet] == tet && tet != largest && counts[tet] < minimumSamples;
+  }
+  for (int tet = 0; tet < complex.NumberOfTets(); ++tet)
+  {
+    if (complex.TouchesCorner(tet))
+    {
+      small[roots[tet]] = 0;
+    }
+  }
+  for (int tet = 0; tet < complex.NumberOfTets(); ++tet)
+  {
+    removed += small[tet];
+    labels[tet] = small[roots[tet]] ? Opposite(labels[tet]) : labels[tet];
+  }
+  return removed;
+}
+
+//------------------------------------------------------------------------------
+int MakeManifold(const DelaunayComplex& complex, std::vector<Side>& labels)
+{
+  std::vector<char> turns(complex.Tets.size(), 0);
+  std::vector<char> queued(static_cast<std::size_t>(complex.NumberOfSamples), 1);
+  std::deque<int> queue;
+  for (int s = 0; s < complex.NumberOfSamples; ++s)
+  {
+    queue.push_back(s);
+  }
+  Star star(complex);
+  std::vector<char> irregular(queued.size(), 0);
+  while (!queue.empty())
+  {
+    const int sample = queue.front();
+    queue.pop_front();
+    queued[sample] = 0;
+    irregular[sample] = 0;
+    if (IsBuried(complex, labels, sample))
+    {
+      continue;
+    }
+    const std::vector<Star::Piece>& pieces = star.Group(sample, labels, turns);
+    if (IsRegular(pieces))
+    {
+      continue;
+    }
+    const std::vector<int> turned = RepairStar(pieces, labels, turns);
+    irregular[sample] = turned.empty();
+    for (int tet : turned)
+    {
+      for (int p : complex.Tets[tet])
+      {
+        if (!queued[p])
+        {
+          queued[p] = 1;
+          queue.push_back(p);
+        }
+      }
+    }
+  }
+  return static_cast<int>(std::count(irregular.begin(), irregular.end(), 1));
+}
+
+//------------------------------------------------------------------------------
+int RecoverSamples(const DelaunayComplex& complex, std::vector<Side>& labels)
+{
+  std::deque<int> queue;
+  for (int s = 0; s < complex.NumberOfSamples; ++s)
+  {
+    if (IsBuried(complex, labels, s))
+    {
+      queue.push_back(s);
+    }
+  }
+  // Samples under samples: once more around as long as that brings some out.
+  int recovered = 0;
+  for (bool progress = true; progress;)
+  {
+    progress = false;
+    std::deque<int> left;
+    for (int sample : queue)
+    {
+      const int tet = BestPyramid(complex, labels, sample);
+      if (tet < 0)
+      {
+        left.push_back(sample);
+        continue;
+      }
+      labels[tet] = Opposite(labels[tet]);
+      ++recovered;
+      progress = true;
+    }
+    queue.swap(left);
+  }
+  return recovered;
+}
+}
