@@ -118,58 +118,6 @@ cv::Mat DifferenceFrom(const cv::Mat& photo, const cv::Vec3d& background, bool s
   return difference;
 }
 
-struct Levels
-{
-  int Noise = 0; ///< median of the background's own differences
-  int Low = 0;   ///< above it: may be object
-  int High = 0;  ///< above it: surely object
-};
-
-Levels ChooseLevels(
-  const cv::Mat& difference, const cv::Mat& border, const std::optional<double>& level)
-{
-  Levels levels;
-  cv::Mat unused;
-  levels.High = static_cast<int>(
-    cv::threshold(difference, unused, 0, 255, cv::THRESH_BINARY | cv::THRESH_OTSU));
-  std::vector<int> background;
-  for (int y = 0; y < difference.rows; ++y)
-  {
-    for (int x = 0; x < difference.cols; ++x)
-    {
-      const int value = difference.at<std::uint8_t>(y, x);
-      if (border.at<std::uint8_t>(y, x) && value <= levels.High)
-      {
-        background.push_back(value);
-      }
-    }
-  }
-  const auto median = [](std::vector<int>& values)
-  {
-    const auto middle = values.begin() + values.size() / 2;
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-  };
-  int spread = 0;
-  if (!background.empty())
-  {
-    levels.Noise = median(background);
-    for (int& value : background)
-    {
-      value = std::abs(value - levels.Noise);
-    }
-    spread = median(background);
-  }
-  // Six standard deviations of the noise (1.48 median deviations each), and two levels for what
-  // rounding hides.
-  levels.Low = std::min(levels.High, levels.Noise + static_cast<int>(6 * 1.48 * spread) + 2);
-  if (level)
-  {
-    levels.Low = levels.High = static_cast<int>(std::ceil(*level)) - 1;
-  }
-  return levels;
-}
-
 /** The components of `candidates` that hold at least one pixel of `sure`. */
 cv::Mat ConnectedTo(const cv::Mat& candidates, const cv::Mat& sure)
 {
@@ -214,6 +162,127 @@ cv::Mat LargestComponent(const cv::Mat& mask)
     }
   }
   return largest > 0 ? cv::Mat(labels == largest) : cv::Mat(cv::Mat::zeros(mask.size(), CV_8U));
+}
+
+struct Levels
+{
+  int Noise = 0; ///< median of the background's own differences
+  int Low = 0;   ///< above it and connected to what is surely object: object
+  int High = 0;  ///< above it: surely object
+};
+
+/** Median and median deviation of the border's differences up to a level. */
+std::pair<int, int> BackgroundNoise(const cv::Mat& difference, const cv::Mat& border, int upTo)
+{
+  std::vector<int> background;
+  for (int y = 0; y < difference.rows; ++y)
+  {
+    for (int x = 0; x < difference.cols; ++x)
+    {
+      const int value = difference.at<std::uint8_t>(y, x);
+      if (border.at<std::uint8_t>(y, x) && value <= upTo)
+      {
+        background.push_back(value);
+      }
+    }
+  }
+  if (background.empty())
+  {
+    return { 0, 0 };
+  }
+  const auto median = [&background]
+  {
+    const auto middle = background.begin() + background.size() / 2;
+    std::nth_element(background.begin(), middle, background.end());
+    return *middle;
+  };
+  const int noise = median();
+  for (int& value : background)
+  {
+    value = std::abs(value - noise);
+  }
+  return { noise, median() };
+}
+
+cv::Mat ObjectAt(const cv::Mat& difference, int low, int high)
+{
+  return LargestComponent(ConnectedTo(difference > low, difference > high));
+}
+
+/**
+ * How well the outline of a mask follows edges: mean over its contour of log(1 + contrast / noise),
+ * contrast = range of the difference in the 3 x 3 pixels around. Contour along the frame is none.
+ */
+double EdgeScore(const cv::Mat& mask, const cv::Mat& contrast, double noise)
+{
+  cv::Mat inner;
+  cv::erode(mask, inner, cv::Mat());
+  double sum = 0;
+  double count = 0;
+  for (int y = 1; y + 1 < mask.rows; ++y)
+  {
+    for (int x = 1; x + 1 < mask.cols; ++x)
+    {
+      if (mask.at<std::uint8_t>(y, x) && !inner.at<std::uint8_t>(y, x))
+      {
+        sum += std::log1p(contrast.at<std::uint8_t>(y, x) / noise);
+        count += 1;
+      }
+    }
+  }
+  return count > 0 ? sum / count : 0;
+}
+
+/**
+ * The level whose outline follows the edges of the picture best. Too low a level runs through the
+ * folds of a backdrop, too high a one through the shading of the object; both are smooth. Among
+ * about equals (a tenth) the lowest, which keeps the dark parts.
+ */
+int LevelAlongEdges(const cv::Mat& difference, int lowest, int high, double noise)
+{
+  constexpr double aboutEqual = 0.9;
+  cv::Mat least;
+  cv::Mat most;
+  cv::erode(difference, least, cv::Mat());
+  cv::dilate(difference, most, cv::Mat());
+  const cv::Mat contrast = most - least;
+  std::vector<std::pair<int, double>> scores;
+  double best = 0;
+  for (int level = lowest; level <= high; level += std::max(1, level / 6))
+  {
+    scores.emplace_back(level, EdgeScore(ObjectAt(difference, level, high), contrast, noise));
+    best = std::max(best, scores.back().second);
+  }
+  for (const auto& [level, score] : scores)
+  {
+    if (score >= aboutEqual * best)
+    {
+      return level;
+    }
+  }
+  return high;
+}
+
+Levels ChooseLevels(
+  const cv::Mat& difference, const cv::Mat& border, const std::optional<double>& level)
+{
+  Levels levels;
+  if (level)
+  {
+    levels.Low = levels.High = static_cast<int>(std::ceil(*level)) - 1;
+    return levels;
+  }
+  cv::Mat unused;
+  levels.High = static_cast<int>(
+    cv::threshold(difference, unused, 0, 255, cv::THRESH_BINARY | cv::THRESH_OTSU));
+  const auto [noise, spread] = BackgroundNoise(difference, border, levels.High);
+  levels.Noise = noise;
+  // Six standard deviations of the noise (1.48 median deviations each), and two levels for what
+  // rounding hides.
+  const double deviations = 6 * 1.48 * spread + 2;
+  const int lowest = std::min(levels.High, noise + static_cast<int>(deviations));
+  levels.Low = LevelAlongEdges(difference, lowest, levels.High, deviations);
+  return levels;
 }
 
 /** Fills the enclosed background components below a part of the object's area. */
@@ -301,7 +370,7 @@ Image<std::uint8_t> ExtractSilhouette(
   const cv::Vec3d background = BackgroundColour(pixels, border);
   const cv::Mat difference = DifferenceFrom(pixels, background, options.IgnoreShadows);
   const Levels levels = ChooseLevels(difference, border, options.Level);
-  cv::Mat mask = ConnectedTo(difference > levels.Low, difference > levels.High);
+  cv::Mat mask = ObjectAt(difference, levels.Low, levels.High);
   mask = LargestComponent(Close(mask, options.ClosingPx));
   FillSmallHoles(mask, options.SmallHole);
   if (!options.Level)
