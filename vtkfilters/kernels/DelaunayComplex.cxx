@@ -131,7 +131,8 @@ std::vector<std::size_t> DistinctSamples(
     // Adding zero turns -0 into 0, so that equal cells compare equal bit for bit too.
     rounded[i] = { { cell.x() + 0.0, cell.y() + 0.0, cell.z() + 0.0 }, i };
   }
-  std::sort(rounded.begin(), rounded.end(), [](const Rounded& a, const Rounded& b)
+  std::sort(rounded.begin(), rounded.end(),
+    [](const Rounded& a, const Rounded& b)
     { return a.Cell != b.Cell ? a.Cell < b.Cell : a.Id < b.Id; });
   std::vector<std::size_t> ids;
   ids.reserve(numberOfSamples);
@@ -151,9 +152,10 @@ int InsertPoints(const std::vector<Eigen::Vector3d>& points, int numberOfSamples
   const Execution& execution, Triangulation& triangulation)
 {
   // The last corner less the first one is the cube's diagonal.
-  const double cube = (points.back() - points[points.size() - DelaunayComplex::NumberOfCorners]).norm();
-  std::vector<std::size_t> order = DistinctSamples(
-    points, static_cast<std::size_t>(numberOfSamples), DuplicateTolerance * cube);
+  const double cube =
+    (points.back() - points[points.size() - DelaunayComplex::NumberOfCorners]).norm();
+  std::vector<std::size_t> order =
+    DistinctSamples(points, static_cast<std::size_t>(numberOfSamples), DuplicateTolerance * cube);
   const int duplicates = numberOfSamples - static_cast<int>(order.size());
   std::vector<Kernel::Point_3> kernelPoints(points.size());
   std::transform(points.begin(), points.end(), kernelPoints.begin(), ToKernel);

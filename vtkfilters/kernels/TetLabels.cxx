@@ -181,8 +181,8 @@ void SpreadLabels(const DelaunayComplex& complex, std::vector<Side>& labels)
     {
       if (other >= 0 && labels[other] == Side::Unknown)
       {
-        queue.push({ BallAgreement(complex.Centres[tet], complex.Radii[tet],
-                       complex.Centres[other], complex.Radii[other]),
+        queue.push({ BallAgreement(complex.Centres[tet], complex.Radii[tet], complex.Centres[other],
+                       complex.Radii[other]),
           other, labels[tet] });
       }
     }
