@@ -114,7 +114,8 @@ public:
     this->Run("power crust", this->Mesher);
   }
 
-  NovelView Render(const Camera& camera, Stage upTo)
+  /** With `all`, every stage is textured; otherwise only the last. */
+  std::vector<NovelView> Render(const Camera& camera, Stage upTo, bool all)
   {
     const auto pinhole = NewPinholeCamera(camera);
     this->Culler->SetCamera(pinhole);
@@ -128,22 +129,29 @@ public:
     }
     this->Run("culling", this->Culler);
     this->Mapper->SetInputConnection(2, this->Culler->GetOutputPort(1));
-    vtkPolyDataAlgorithm* last = this->Culler;
+    std::vector<NovelView> views;
+    const auto add = [&](vtkPolyDataAlgorithm* filter, Stage stage)
+    {
+      if (all || stage == upTo)
+      {
+        NovelView& view = views.emplace_back();
+        view.Mesh = vtkSmartPointer<vtkPolyData>::New();
+        view.Mesh->ShallowCopy(filter->GetOutput());
+        view.Image = this->Textured(view.Mesh, "texture");
+      }
+    };
+    add(this->Culler, Stage::Hull);
     if (upTo != Stage::Hull)
     {
       this->RunDeformer("outline", this->Outline, Stage::Outline);
-      last = this->Outline;
+      add(this->Outline, Stage::Outline);
     }
     if (upTo == Stage::Full)
     {
       this->RunDeformer("non-outline", this->NonOutline, Stage::Full);
-      last = this->NonOutline;
+      add(this->NonOutline, Stage::Full);
     }
-    NovelView result;
-    result.Mesh = vtkSmartPointer<vtkPolyData>::New();
-    result.Mesh->ShallowCopy(last->GetOutput());
-    result.Image = this->Textured(result.Mesh, "texture");
-    return result;
+    return views;
   }
 
   vtkSmartPointer<vtkImageData> Texture(vtkPolyData* mesh, const Camera& camera)
@@ -259,7 +267,12 @@ vtkPolyData* Synthesis::MedialBalls()
 
 NovelView Synthesis::Render(const Camera& camera, Stage upTo)
 {
-  return this->Own->Render(camera, upTo);
+  return this->Own->Render(camera, upTo, false).back();
+}
+
+std::vector<NovelView> Synthesis::RenderStages(const Camera& camera, Stage upTo)
+{
+  return this->Own->Render(camera, upTo, true);
 }
 
 vtkSmartPointer<vtkImageData> Synthesis::Texture(vtkPolyData* mesh, const Camera& camera)

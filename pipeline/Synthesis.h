@@ -114,6 +114,9 @@ public:
   /** The picture the camera would take, with the geometry refined up to `upTo`. */
   NovelView Render(const Camera& camera, Stage upTo);
 
+  /** The same with the picture after each stage on the way: hull, outline, full. */
+  std::vector<NovelView> RenderStages(const Camera& camera, Stage upTo);
+
   /** The texture mapper alone on any mesh: the oracle, when it is the true one. */
   vtkSmartPointer<vtkImageData> Texture(vtkPolyData* mesh, const Camera& camera);
 
