@@ -165,9 +165,9 @@ Point OnRectangle(double angle, double halfWidth, double halfHeight, double z)
 }
 
 /**
- * A block of 2 x 1.4 x 0.8 with a hole of radius 0.4 along z: four rings of points (outer and inner,
- * front and back), each joined to the next by a strip of triangles. The rings have a point at each of
- * the block's corners, so that its edges are sharp.
+ * A block of 2 x 1.4 x 0.8 with a hole of radius 0.4 along z: four rings of points (outer and
+ * inner, front and back), each joined to the next by a strip of triangles. The rings have a point
+ * at each of the block's corners, so that its edges are sharp.
  */
 vtkSmartPointer<vtkPolyData> Part()
 {

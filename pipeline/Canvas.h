@@ -66,7 +66,7 @@ public:
   /** A panel of one colour to draw a scene in. Borrowed. */
   vtkRenderer* AddPanel(const Box& box, const Colour& background);
 
-  /** A picture (array Color, RGB), scaled to fit into the box, its sides' ratio kept, centred; returns where. */
+  /** A picture (array Color, RGB), scaled to fit into the middle of the box; returns where. */
   Box AddPicture(vtkImageData* picture, const Box& box);
 
   void AddChart(vtkChartXY* chart, const Box& box, const Colour& background);

@@ -194,7 +194,7 @@ void WriteHeldOut(Photographer& photographer, const std::vector<Camera>& cameras
   WriteCalibration(folder / "test_par.txt", named);
 }
 
-/** The photograph (a copy, since OpenCV wraps no const pixels) as an image block, for the overview. */
+/** The photograph for the overview (by value, since OpenCV wraps no const pixels). */
 vtkSmartPointer<vtkImageData> Thumbnail(Image<std::uint8_t> color)
 {
   cv::Mat small;

@@ -24,8 +24,8 @@ class OffscreenWindow
 {
 public:
   /**
-   * Opens a window of this many pixels and proves that it draws: OpenGL must tell its version, and a
-   * cleared picture must read back in the colour it was cleared to.
+   * Opens a window of this many pixels and proves that it draws: OpenGL must tell its version, and
+   * a cleared picture must read back in the colour it was cleared to.
    *
    * Throws Error when the size is not positive or more than the driver can do, when no context can
    * be made, or when the proof fails.
@@ -46,7 +46,8 @@ public:
 
   /**
    * Draws all renderers that were added. The image has a point array of 3 components (RGB, uint8),
-   * or of 4 with `withAlpha`: alpha is then 0 where nothing was drawn. Bottom-up rows, as VTK has them.
+   * or of 4 with `withAlpha`: alpha is then 0 where nothing was drawn. Bottom-up rows, as VTK has
+   * them.
    */
   vtkSmartPointer<vtkImageData> Capture(bool withAlpha = false);
 

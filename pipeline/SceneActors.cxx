@@ -30,7 +30,7 @@ namespace novelview
 {
 namespace
 {
-/** Apex and the four corners of the picture plane: top left, top right, bottom right, bottom left. */
+/** Apex and corners of the picture plane: top left, top right, bottom right, bottom left. */
 std::array<Eigen::Vector3d, 5> Pyramid(const Camera& camera, double depth)
 {
   const double right = camera.Width - 0.5;
@@ -208,8 +208,8 @@ void FitScene(vtkRenderer* renderer, const std::vector<Eigen::Vector3d>& points,
   {
     box.extend(Eigen::Vector3d(right.dot(point), above.dot(point), forward.dot(point)));
   }
-  // Perspective moves what is near away from the middle, so the best aim is found by a few rounds of
-  // fitting and centring the projected extent.
+  // Perspective moves what is near away from the middle, so the best aim is found by a few rounds
+  // of fitting and centring the projected extent.
   Eigen::Vector2d aim = box.center().head<2>();
   double distance = 0;
   for (int round = 0; round < 12; ++round)

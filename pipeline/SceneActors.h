@@ -34,25 +34,25 @@ struct FrustumStyle
   int LabelSizePx = 15;
 };
 
-/** Pyramid, picture and label of a camera. Its corners are appended to `extent` when that is given. */
+/** Pyramid, picture and label of a camera. Its corners are appended to `extent`, if given. */
 void AddCameraToScene(vtkRenderer* renderer, const SceneCamera& camera, const FrustumStyle& style,
   std::vector<Eigen::Vector3d>* extent = nullptr);
 
 /**
- * Cameras that stand (nearly) at the same place, less than `distance` apart, get one label together,
- * "0, 10", instead of two on top of each other. Bold labels are left alone.
+ * Cameras that stand (nearly) at the same place, less than `distance` apart, get one label
+ * together, "0, 10", instead of two on top of each other. Bold labels are left alone.
  */
 void JoinLabels(std::vector<SceneCamera>& cameras, double distance);
 
 /**
- * The direction that is up: in the cameras' pictures or, when those disagree (photographs may be turned
- * by a quarter), the axis that the cameras stand around.
+ * The direction that is up: in the cameras' pictures or, when those disagree (photographs may be
+ * turned by a quarter), the axis that the cameras stand around.
  */
 Eigen::Vector3d UpOf(const std::vector<SceneCamera>& cameras);
 
 /**
- * Points the renderer's camera along `towards` so that all the points fill its panel, from the least
- * distance. `aspect` = width / height of the panel.
+ * Points the renderer's camera along `towards` so that all the points fill its panel, from the
+ * least distance. `aspect` = width / height of the panel.
  */
 void FitScene(vtkRenderer* renderer, const std::vector<Eigen::Vector3d>& points,
   const Eigen::Vector3d& towards, const Eigen::Vector3d& up, double aspect);

@@ -219,8 +219,8 @@ TEST_F(Generator, ShadowBreaksThresholdingButNotTheExactMask)
   const auto pixels = [this](const std::string& file)
   { return cv::countNonZero(this->Read(file) > 127); };
   const int exact = pixels("exact/mask/bust0001.png");
-  // The shadow takes the shoulders; without it only the rim, whose pixels are less than half covered
-  // but bright enough, may differ.
+  // The shadow takes the shoulders; without it only the rim, whose pixels are less than half
+  // covered but bright enough, may differ.
   EXPECT_LT(pixels("threshold/mask/bust0001.png"), 0.8 * exact);
   EXPECT_NEAR(
     pixels("threshold/mask/bust0000.png"), pixels("exact/mask/bust0000.png"), 0.1 * exact);

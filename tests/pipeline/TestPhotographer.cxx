@@ -23,7 +23,8 @@ using Eigen::Vector3d;
 
 const SurfaceLook Grey = { "grey", false, 0 };
 
-/** A camera with everything a pinhole may have: skew, unequal focal lengths, centre off the middle. */
+/** A camera with everything a pinhole may have: skew, unequal focal lengths, centre off the middle.
+ */
 Camera CrookedCamera(int width, int height)
 {
   Eigen::Matrix3d k;
@@ -80,8 +81,8 @@ TEST(Photographer, SpheresAppearWhereTheCameraProjectsThem)
   for (const Vector2d& pixel : expected)
   {
     const Vector2d seen = Centroid(photograph.Coverage, pixel, 8);
-    // The rim of each sphere is sampled about 120 times, which leaves 0.25 / sqrt(120) = 0.02 px; the
-    // perspective drawing-out of a sphere of 5 px moves its centroid by another 0.01 px.
+    // The rim of each sphere is sampled about 120 times, which leaves 0.25 / sqrt(120) = 0.02 px;
+    // the perspective drawing-out of a sphere of 5 px moves its centroid by another 0.01 px.
     EXPECT_LT((seen - pixel).norm(), 0.05)
       << "expected " << pixel.transpose() << ", seen " << seen.transpose();
   }
