@@ -32,9 +32,9 @@
  * neighbouring power cells, and a pole sums its evidence; cospherical poles are merged; normals can
  * help; no ball is discarded for noise; the samples can be the surface's points (DelaunayCrust).
  *
- * Limits: noise (standard deviation) must stay below about half the sampling distance; samples deep under the surface are left
- * out; duplicates count once. The balls of samples on the convex hull that reach outwards without
- * end are not listed.
+ * Limits: noise (standard deviation) must stay below about half the sampling distance; samples
+ * deep under the surface are left out; duplicates count once. The balls of samples on the convex
+ * hull that reach outwards without end are not listed.
  *
  * Errors: less than four points, points not finite, in one plane, or enclosing nothing. No points
  * at all give an empty output.
