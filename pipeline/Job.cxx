@@ -83,9 +83,11 @@ Options Layered(const fs::path& dataset, const GivenOptions& given)
   if (fs::is_regular_file(dataset, failure))
   {
     const nlohmann::ordered_json object = ReadJsonFile(dataset);
-    if (object.contains("preset") && object["preset"].is_string())
+    if (object.contains("preset"))
     {
-      ApplyPreset(options.Synthesis, object["preset"].template get<std::string>());
+      const OptionTable preset{ Find(table, "preset") };
+      SetFromJson(preset, { { "preset", object["preset"] } }, {}, dataset.string());
+      ApplyPreset(options.Synthesis, std::string(options.Synthesis.Preset));
     }
     SetFromJson(table, object, fs::absolute(dataset).parent_path(), dataset.string());
   }
