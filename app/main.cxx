@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "CommandLine.h"
+#include "RunCommand.h"
 
 #include <csignal>
 
@@ -29,5 +30,7 @@ int main(int argc, char** argv)
   std::signal(SIGINT, OnInterrupt);
   Commands commands;
   commands.Generate = Generate;
+  commands.Run = RunJob;
+  commands.Render = RenderJob;
   return RunCommandLine(argc, argv, commands);
 }

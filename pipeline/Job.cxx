@@ -123,29 +123,39 @@ OptionTable OptionsOf(SynthesisOptions& options)
   const char* const hull = "Visual hull";
   const char* const outline = "Outline deformer";
   const char* const nonOutline = "Non-outline deformer";
+  const char* const depth = "Depth maps";
   const char* const texture = "Texture mapper";
   return {
     { "preset", "defaults of all stage options: the paper's, or what gives the best pictures", "",
       "Method", &options.Preset, -NoLimit, NoLimit, { "best", "paper" } },
     { "hullSpacing", "distance between surface samples, in the photographs", "px", hull,
-      &options.HullSpacingPx, 0.25, 100 },
+      &options.HullSpacingPx, 0.25, 64 },
     { "hullBox", "search box x0,y0,z0,x1,y1,z1; found from the silhouettes when not given",
       "world units", hull, &options.HullBox },
     { "hullKeepAll", "keep every component, not only the largest", "", hull, &options.HullKeepAll },
     { "outlineIterations", "most rounds of moves", "", outline, &options.OutlineIterations, 0,
       1000 },
-    { "outlineAlpha", "weight of the contour energy", "", outline, &options.OutlineAlpha, 0,
-      NoLimit },
-    { "outlineBeta", "weight of the smoothness energy", "", outline, &options.OutlineBeta, 0,
-      NoLimit },
+    { "outlineAlpha", "weight of the contour energy", "", outline, &options.OutlineAlpha, 0, 100 },
+    { "outlineBeta", "weight of the smoothness energy", "", outline, &options.OutlineBeta, 0, 100 },
     { "outlineSearch", "how far to either side a point may look", "px", outline,
-      &options.OutlineSearchPx, 0, 1000 },
+      &options.OutlineSearchPx, 0.25, 50 },
     { "nonOutlineIterations", "most rounds of moves", "", nonOutline, &options.NonOutlineIterations,
       0, 1000 },
     { "nonOutlineAlpha", "weight of the smoothness energy", "", nonOutline,
-      &options.NonOutlineAlpha, 0, NoLimit },
+      &options.NonOutlineAlpha, 0, 100 },
+    { "depthMaps",
+      "find the surface by a depth map in every photograph, not by the paper's energies", "", depth,
+      &options.UseDepthMaps },
+    { "silhouettePrior", "weight of 'object' against the depth maps' votes at the outline", "",
+      depth, &options.SilhouettePrior, 0, 10 },
     { "references", "photographs blended per pixel", "", texture, &options.References, 1, 64 },
-    { "power", "m of the blending weight cos(angle)^m", "", texture, &options.Power, 0, 1000 },
+    { "power", "m of the blending weight cos(angle)^m", "", texture, &options.Power, 0, 64 },
+    { "feather", "a photograph's weight grows over this from its silhouette's border inwards", "px",
+      texture, &options.FeatherPx, 0.01, 100 },
+    { "occlusionSoftness", "softness of the occlusion test; 0 = hard", "pixel footprints", texture,
+      &options.OcclusionSoftness, 0, 100 },
+    { "rimSamples", "sub-rays per pixel side at the rim, odd; 1 = no antialiasing", "", texture,
+      &options.RimSamples, 1, 9 },
   };
 }
 
