@@ -18,6 +18,8 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 
+#include <algorithm>
+
 namespace novelview
 {
 namespace
@@ -106,7 +108,20 @@ ImageRef<T> TopDownArray(
   return TopDown<T>(image, array->GetPointer(0), channels);
 }
 
+template <class T>
+void CopyToArray(const Image<T>& from, const char* name, vtkImageData* to)
+{
+  const ImageRef<T> rows = AddTopDownArray<T>(to, name, from.Channels);
+  const std::size_t rowLength = static_cast<std::size_t>(from.Width) * from.Channels;
+  for (int y = 0; y < from.Height; ++y)
+  {
+    std::copy_n(from.Values.data() + y * rowLength, rowLength, rows.Row(y));
+  }
+}
+
 #define NOVELVIEW_INSTANTIATE(T)                                                                   \
+  template VTKNOVELVIEWFILTERS_EXPORT void CopyToArray<T>(                                         \
+    const Image<T>&, const char*, vtkImageData*);                                                  \
   template VTKNOVELVIEWFILTERS_EXPORT ImageRef<T> AddTopDownArray<T>(                              \
     vtkImageData*, const char*, int);                                                              \
   template VTKNOVELVIEWFILTERS_EXPORT ImageRef<T> TopDownArray<T>(                                 \

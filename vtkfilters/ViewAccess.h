@@ -68,6 +68,10 @@ template <class T>
 ImageRef<T> TopDownArray(
   vtkImageData* image, const char* name, int channels, const std::string& where, bool required);
 
+/** Adds (or replaces) a point array with the pixels of an image of the same size. */
+template <class T>
+void CopyToArray(const Image<T>& from, const char* name, vtkImageData* to);
+
 /** Writes a camera into the field arrays of an image block, or reads it back. */
 VTKNOVELVIEWFILTERS_EXPORT void AttachCamera(vtkImageData* image, const Camera& camera);
 VTKNOVELVIEWFILTERS_EXPORT Camera AttachedCamera(vtkImageData* image, const std::string& where);

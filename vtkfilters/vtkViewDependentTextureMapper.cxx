@@ -14,24 +14,9 @@
 #include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
-#include <algorithm>
 #include <optional>
 
 vtkStandardNewMacro(vtkViewDependentTextureMapper);
-
-namespace
-{
-template <class T>
-void CopyArray(const novelview::Image<T>& from, const char* name, vtkImageData* to)
-{
-  const novelview::ImageRef<T> rows = novelview::AddTopDownArray<T>(to, name, from.Channels);
-  const std::size_t rowLength = static_cast<std::size_t>(from.Width) * from.Channels;
-  for (int y = 0; y < from.Height; ++y)
-  {
-    std::copy_n(from.Values.data() + y * rowLength, rowLength, rows.Row(y));
-  }
-}
-}
 
 //------------------------------------------------------------------------------
 vtkViewDependentTextureMapper::vtkViewDependentTextureMapper()
@@ -119,11 +104,11 @@ int vtkViewDependentTextureMapper::RequestData(
 
       vtkImageData* output = vtkImageData::GetData(outputs);
       output->SetDimensions(camera.Width, camera.Height, 1);
-      CopyArray(result.Color, novelview::arrays::Color, output);
-      CopyArray(result.Mask, novelview::arrays::Mask, output);
-      CopyArray(result.Depth, novelview::arrays::Depth, output);
-      CopyArray(result.CellId, novelview::arrays::CellId, output);
-      CopyArray(result.Seen, novelview::arrays::Seen, output);
+      novelview::CopyToArray(result.Color, novelview::arrays::Color, output);
+      novelview::CopyToArray(result.Mask, novelview::arrays::Mask, output);
+      novelview::CopyToArray(result.Depth, novelview::arrays::Depth, output);
+      novelview::CopyToArray(result.CellId, novelview::arrays::CellId, output);
+      novelview::CopyToArray(result.Seen, novelview::arrays::Seen, output);
       output->GetPointData()->SetActiveScalars(novelview::arrays::Color);
     });
 }

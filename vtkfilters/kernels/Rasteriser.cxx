@@ -11,6 +11,7 @@ namespace novelview
 namespace
 {
 constexpr int BandRows = 32;
+constexpr float NoDepth = std::numeric_limits<float>::infinity();
 
 struct ProjectedPoint
 {
@@ -49,8 +50,8 @@ std::pair<int, int> PixelRange(double low, double high, int size)
 }
 
 /** Draws the part of one triangle that lies in rows [rowBegin, rowEnd). */
-void DrawTriangle(
-  const std::array<ProjectedPoint, 3>& p, int cellId, int rowBegin, int rowEnd, ItemBuffer& buffer)
+void DrawTriangle(const std::array<ProjectedPoint, 3>& p, int cellId, int rowBegin, int rowEnd,
+  KeepSurface keep, ItemBuffer& buffer)
 {
   const double area = (p[1].X - p[0].X) * (p[2].Y - p[0].Y) - (p[2].X - p[0].X) * (p[1].Y - p[0].Y);
   if (area == 0 || !std::isfinite(area))
@@ -77,7 +78,8 @@ void DrawTriangle(
       const float depth = static_cast<float>((w0 + w1 + w2) /
         (w0 * p[0].InverseDepth + w1 * p[1].InverseDepth + w2 * p[2].InverseDepth));
       // Triangles come in the order of their ids, so "nearer" alone lets the lowest id win ties.
-      if (depth < buffer.Depth(x, y))
+      const float before = buffer.Depth(x, y);
+      if (keep == KeepSurface::Nearest ? depth < before : !(depth <= before && before < NoDepth))
       {
         buffer.Depth(x, y) = depth;
         buffer.CellId(x, y) = cellId;
@@ -87,12 +89,12 @@ void DrawTriangle(
 }
 }
 
-ItemBuffer Rasterise(const TriangleMesh& mesh, const Camera& camera, const Execution& execution)
+ItemBuffer Rasterise(
+  const TriangleMesh& mesh, const Camera& camera, const Execution& execution, KeepSurface keep)
 {
   ItemBuffer buffer;
   buffer.CellId = Image<int>(camera.Width, camera.Height, 1, -1);
-  buffer.Depth =
-    Image<float>(camera.Width, camera.Height, 1, std::numeric_limits<float>::infinity());
+  buffer.Depth = Image<float>(camera.Width, camera.Height, 1, NoDepth);
   const std::vector<ProjectedPoint> projected = ProjectAll(mesh, camera, execution);
 
   const int bands = (camera.Height + BandRows - 1) / BandRows;
@@ -121,8 +123,8 @@ ItemBuffer Rasterise(const TriangleMesh& mesh, const Camera& camera, const Execu
       for (const int cellId : cellsOfBand[band])
       {
         const Eigen::Vector3i& t = mesh.Triangles[cellId];
-        DrawTriangle(
-          { projected[t[0]], projected[t[1]], projected[t[2]] }, cellId, rowBegin, rowEnd, buffer);
+        DrawTriangle({ projected[t[0]], projected[t[1]], projected[t[2]] }, cellId, rowBegin,
+          rowEnd, keep, buffer);
       }
     });
   return buffer;

@@ -1,0 +1,444 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ReferenceDepth.h"
+
+#include "Rasteriser.h"
+#include "ViewSelection.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace novelview
+{
+namespace
+{
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+/** Depth of the hull's front in a photograph, and how far behind it its back is. */
+struct HullInterval
+{
+  Image<float> Front; ///< 0 = none
+  Image<float> Thickness;
+};
+
+HullInterval IntervalOf(const TriangleMesh& hull, const MatchImage& image)
+{
+  HullInterval interval;
+  interval.Front = Rasterise(hull, image.Cam).Depth;
+  interval.Thickness = Rasterise(hull, image.Cam, {}, KeepSurface::Farthest).Depth;
+  for (std::size_t i = 0; i < interval.Front.Values.size(); ++i)
+  {
+    float& front = interval.Front.Values[i];
+    const bool takes = std::isfinite(front) && image.Pixels.Values[4 * i + 3] > 0;
+    interval.Thickness.Values[i] = takes ? interval.Thickness.Values[i] - front : 0.f;
+    front = takes ? front : 0.f;
+  }
+  return interval;
+}
+
+/** Depth and photo score of one photograph from one pass. */
+struct PassResult
+{
+  Image<float> Depth;
+  Image<float> Score;
+};
+
+PassResult MatchPass(const MatchImage& key, const Image<float>& base, const Image<float>& last,
+  const std::vector<const MatchImage*>& neighbours, const OffsetLabels& labels,
+  const ReferenceDepthOptions& options)
+{
+  PassResult result;
+  result.Depth = Image<float>(base.Width, base.Height);
+  result.Score = Image<float>(base.Width, base.Height);
+  const PixelBox box = BoxOfBase(base);
+  if (box.Empty() || neighbours.empty())
+  {
+    return result;
+  }
+  const MatchingVolume volume =
+    MatchNeighbours(key, base, last, neighbours, box, labels, options.Match);
+  const MatchingVolume sums = AggregateSemiGlobally(volume, base, options.SemiGlobal);
+  Image<std::uint8_t> winner;
+  result.Depth = MedianOfKnown(WinningDepth(sums, base, winner), 2);
+  for (int y = 0; y < box.Height(); ++y)
+  {
+    for (int x = 0; x < box.Width(); ++x)
+    {
+      if (base(box.X0 + x, box.Y0 + y) > 0)
+      {
+        result.Score(box.X0 + x, box.Y0 + y) = 1 - volume.Row(y, winner(box.X0 + x, box.Y0 + y))[x];
+      }
+    }
+  }
+  return result;
+}
+
+/** Enlarges twice; smooth where the four neighbours agree within `jump`, else the nearest. */
+Image<float> Enlarged(const Image<float>& half, int width, int height, float jump)
+{
+  Image<float> full(width, height);
+  for (int y = 0; y < height; ++y)
+  {
+    for (int x = 0; x < width; ++x)
+    {
+      const int nearX = std::min(x / 2, half.Width - 1);
+      const int nearY = std::min(y / 2, half.Height - 1);
+      const float nearest = half(nearX, nearY);
+      const int otherX = std::clamp(nearX + (x % 2 ? 1 : -1), 0, half.Width - 1);
+      const int otherY = std::clamp(nearY + (y % 2 ? 1 : -1), 0, half.Height - 1);
+      const float values[3] = { half(otherX, nearY), half(nearX, otherY), half(otherX, otherY) };
+      const bool agree = std::all_of(values, values + 3,
+        [&](float value) { return value > 0 && std::abs(value - nearest) < jump; });
+      full(x, y) = agree && nearest > 0
+        ? 0.5625f * nearest + 0.1875f * (values[0] + values[1]) + 0.0625f * values[2]
+        : nearest;
+    }
+  }
+  return full;
+}
+
+/** Gives object pixels without a value that of a neighbour, until every one has one. */
+void FillKnown(Image<float>& image, const MatchImage& mask)
+{
+  std::vector<std::size_t> open;
+  for (std::size_t i = 0; i < image.Values.size(); ++i)
+  {
+    if (image.Values[i] <= 0 && mask.Pixels.Values[4 * i + 3] > 0)
+    {
+      open.push_back(i);
+    }
+  }
+  while (!open.empty())
+  {
+    std::vector<std::size_t> rest;
+    std::vector<std::pair<std::size_t, float>> found;
+    for (const std::size_t i : open)
+    {
+      const int x = static_cast<int>(i % image.Width);
+      const int y = static_cast<int>(i / image.Width);
+      float value = 0;
+      for (const auto& [dx, dy] : { std::pair(-1, 0), { 1, 0 }, { 0, -1 }, { 0, 1 } })
+      {
+        if (image.Ref().Contains(x + dx, y + dy) && value <= 0)
+        {
+          value = image(x + dx, y + dy);
+        }
+      }
+      if (value > 0)
+      {
+        found.emplace_back(i, value);
+      }
+      else
+      {
+        rest.push_back(i);
+      }
+    }
+    if (found.empty())
+    {
+      return;
+    }
+    for (const auto& [i, value] : found)
+    {
+      image.Values[i] = value;
+    }
+    open = std::move(rest);
+  }
+}
+
+/** Points the views at these maps. */
+std::vector<View> WithMaps(const std::vector<View>& views, const std::vector<Image<float>>& depths,
+  const std::vector<Image<float>>& confidences)
+{
+  std::vector<View> result = views;
+  for (std::size_t i = 0; i < views.size(); ++i)
+  {
+    result[i].DepthMap = depths[i].Ref();
+    result[i].Confidence = confidences[i].Ref();
+  }
+  return result;
+}
+
+class Estimator
+{
+public:
+  Estimator(const std::vector<View>& views, const TriangleMesh& hull,
+    const ReferenceDepthOptions& options, const Execution& execution)
+    : Views(views)
+    , Hull(hull)
+    , Options(options)
+    , Run(execution)
+    , Count(static_cast<std::int64_t>(views.size()))
+    , Neighbours(NearestNeighbours(views, options.Neighbours))
+    , Half(views.size())
+    , Depths(views.size())
+    , Scores(views.size())
+    , Confidences(views.size())
+  {
+    Eigen::AlignedBox3d box;
+    for (const Vector3d& point : hull.Points)
+    {
+      box.extend(point);
+    }
+    this->Footprint = hull.Points.empty() ? 0 : MedianFootprint(views, box.center());
+    const double leastCosine = std::cos(options.MaxAngleDeg * EIGEN_PI / 180);
+    for (std::size_t i = 0; i < views.size(); ++i)
+    {
+      std::erase_if(this->Neighbours[i],
+        [&](int j)
+        { return views[i].Cam.OpticalAxis().dot(views[j].Cam.OpticalAxis()) < leastCosine; });
+    }
+  }
+
+  std::vector<ReferenceDepth> Estimate()
+  {
+    std::vector<ReferenceDepth> result(this->Views.size());
+    if (this->Footprint <= 0)
+    {
+      return result;
+    }
+    this->Run.ForEach(
+      this->Count, [&](std::int64_t i) { this->Half[i] = MakeMatchImage(this->Views[i], 2); });
+    this->InBatches(0.0, 0.25, [&](std::int64_t i) { this->CoarsePass(i); });
+    this->Rate();
+    this->FuseBases();
+    this->Run.Report(0.4);
+    std::vector<MatchImage> full(this->Views.size());
+    this->Run.ForEach(
+      this->Count, [&](std::int64_t i) { full[i] = MakeMatchImage(this->Views[i], 1); });
+    this->InBatches(0.4, 0.95, [&](std::int64_t i) { this->FinePass(i, full); });
+    this->Rate();
+    for (std::size_t i = 0; i < result.size(); ++i)
+    {
+      result[i] = { std::move(this->Depths[i]), std::move(this->Confidences[i]) };
+    }
+    this->Run.Report(1);
+    return result;
+  }
+
+private:
+  /** All views, a few at a time, so that progress and interruption get their turn. */
+  template <class Body>
+  void InBatches(double begin, double end, const Body& body)
+  {
+    constexpr std::int64_t batch = 4;
+    for (std::int64_t first = 0; first < this->Count; first += batch)
+    {
+      const std::int64_t size = std::min(batch, this->Count - first);
+      this->Run.ForEach(size, [&](std::int64_t i) { body(first + i); });
+      this->Run.Report(begin + (end - begin) * static_cast<double>(first + size) / this->Count);
+    }
+  }
+
+  std::vector<const MatchImage*> NeighbourImages(
+    std::int64_t i, const std::vector<MatchImage>& images) const
+  {
+    std::vector<const MatchImage*> result;
+    for (const int j : this->Neighbours[i])
+    {
+      result.push_back(&images[j]);
+    }
+    return result;
+  }
+
+  void CoarsePass(std::int64_t i)
+  {
+    const HullInterval interval = IntervalOf(this->Hull, this->Half[i]);
+    const float thickest =
+      *std::max_element(interval.Thickness.Values.begin(), interval.Thickness.Values.end());
+    OffsetLabels labels;
+    labels.First = this->Options.CoarseFirstPx * this->Footprint;
+    labels.Step = this->Options.CoarseStepPx * this->Footprint;
+    const double last = std::min<double>(thickest, this->Options.CoarseLastPx * this->Footprint);
+    labels.Count = std::clamp(static_cast<int>((last - labels.First) / labels.Step) + 1, 1, 255);
+    const PassResult pass = MatchPass(this->Half[i], interval.Front, interval.Thickness,
+      this->NeighbourImages(i, this->Half), labels, this->Options);
+    const int width = this->Views[i].Cam.Width;
+    const int height = this->Views[i].Cam.Height;
+    const float jump = static_cast<float>(3 * this->Footprint);
+    this->Depths[i] = Enlarged(pass.Depth, width, height, jump);
+    this->Scores[i] = Enlarged(pass.Score, width, height, 0.f);
+  }
+
+  void Rate()
+  {
+    this->Run.ForEach(this->Count,
+      [&](std::int64_t i)
+      {
+        this->Confidences[i] = DepthConfidence(this->Views, static_cast<int>(i), this->Depths,
+          this->Scores[i], this->Options, this->Footprint);
+      });
+  }
+
+  /** The fused surface as each photograph sees it, at half resolution: base of the fine pass. */
+  void FuseBases()
+  {
+    const std::vector<View> views = WithMaps(this->Views, this->Depths, this->Confidences);
+    const FusedField field(views, this->Options.Fusion, this->Footprint);
+    std::vector<Image<float>> bases(this->Views.size());
+    this->Run.ForEach(this->Count,
+      [&](std::int64_t i)
+      {
+        const MatchImage& image = this->Half[i];
+        const HullInterval interval = IntervalOf(this->Hull, image);
+        Image<float> base(image.Cam.Width, image.Cam.Height);
+        const Vector3d centre = image.Cam.Centre();
+        for (int y = 0; y < base.Height; ++y)
+        {
+          for (int x = 0; x < base.Width; ++x)
+          {
+            const double front = interval.Front(x, y);
+            if (front <= 0)
+            {
+              continue;
+            }
+            // With a direction of unit depth the ray's parameter is the depth itself.
+            const Vector3d direction = image.Cam.Unproject(Vector2d(x, y), 1) - centre;
+            const auto met = field.Walk(centre, direction, front - 1.5 * this->Footprint,
+              front + interval.Thickness(x, y), this->Options.CoarseStepPx * this->Footprint);
+            base(x, y) = static_cast<float>(met.Surface.value_or(0));
+          }
+        }
+        FillKnown(base, image);
+        bases[i] = Enlarged(MedianOfKnown(base, 2), this->Views[i].Cam.Width,
+          this->Views[i].Cam.Height, static_cast<float>(6 * this->Footprint));
+      });
+    this->Bases = std::move(bases);
+  }
+
+  void FinePass(std::int64_t i, const std::vector<MatchImage>& images)
+  {
+    Image<float>& base = this->Bases[i];
+    FillKnown(base, images[i]);
+    for (std::size_t n = 0; n < base.Values.size(); ++n)
+    {
+      base.Values[n] = images[i].Pixels.Values[4 * n + 3] > 0 ? base.Values[n] : 0.f;
+    }
+    OffsetLabels labels;
+    labels.First = -this->Options.FineRangePx * this->Footprint;
+    labels.Step = this->Options.FineStepPx * this->Footprint;
+    labels.Count = 2 * static_cast<int>(this->Options.FineRangePx / this->Options.FineStepPx) + 1;
+    const Image<float> last(base.Width, base.Height, 1, static_cast<float>(1e30));
+    PassResult pass =
+      MatchPass(images[i], base, last, this->NeighbourImages(i, images), labels, this->Options);
+    this->Depths[i] = std::move(pass.Depth);
+    this->Scores[i] = std::move(pass.Score);
+  }
+
+  const std::vector<View>& Views;
+  const TriangleMesh& Hull;
+  const ReferenceDepthOptions& Options;
+  const Execution& Run;
+  const std::int64_t Count;
+  std::vector<std::vector<int>> Neighbours;
+  std::vector<MatchImage> Half;
+  std::vector<Image<float>> Depths;
+  std::vector<Image<float>> Scores;
+  std::vector<Image<float>> Confidences;
+  std::vector<Image<float>> Bases;
+  double Footprint = 0;
+};
+
+/** Cosine between the viewing ray and the normal of the depth map; 0.1 at least. */
+double Incidence(const Camera& camera, const Image<float>& depth, int x, int y)
+{
+  const auto at = [&](int i, int j)
+  {
+    const float value = depth.Ref().Contains(i, j) && depth(i, j) > 0 ? depth(i, j) : depth(x, y);
+    return camera.Unproject(Vector2d(i, j), value);
+  };
+  const Vector3d normal = (at(x + 1, y) - at(x - 1, y)).cross(at(x, y + 1) - at(x, y - 1));
+  const Vector3d ray = camera.RayDirection(Vector2d(x, y));
+  const double length = normal.norm();
+  return length > 0 ? std::max(std::abs(normal.dot(ray)) / length, 0.1) : 0.1;
+}
+}
+
+Image<float> MedianOfKnown(const Image<float>& image, int radius)
+{
+  Image<float> result(image.Width, image.Height);
+  std::vector<float> values;
+  for (int y = 0; y < image.Height; ++y)
+  {
+    for (int x = 0; x < image.Width; ++x)
+    {
+      if (image(x, y) <= 0)
+      {
+        continue;
+      }
+      values.clear();
+      for (int j = std::max(y - radius, 0); j <= std::min(y + radius, image.Height - 1); ++j)
+      {
+        for (int i = std::max(x - radius, 0); i <= std::min(x + radius, image.Width - 1); ++i)
+        {
+          if (image(i, j) > 0)
+          {
+            values.push_back(image(i, j));
+          }
+        }
+      }
+      const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+      std::nth_element(values.begin(), middle, values.end());
+      result(x, y) = *middle;
+    }
+  }
+  return result;
+}
+
+Image<float> DepthConfidence(const std::vector<View>& views, int viewId,
+  const std::vector<Image<float>>& depths, const Image<float>& score,
+  const ReferenceDepthOptions& options, double footprint)
+{
+  const Camera& camera = views[viewId].Cam;
+  const Image<float>& depth = depths[viewId];
+  const std::vector<int> order = ViewsByAngle(views, camera.OpticalAxis());
+  const double tolerance = options.AgreementPx * footprint;
+  Image<float> confidence(depth.Width, depth.Height);
+  for (int y = 0; y < depth.Height; ++y)
+  {
+    for (int x = 0; x < depth.Width; ++x)
+    {
+      if (depth(x, y) <= 0)
+      {
+        continue;
+      }
+      const Vector3d point = camera.Unproject(Vector2d(x, y), depth(x, y));
+      int agree = 0;
+      int seenThrough = 0;
+      for (std::size_t n = 0, looked = 0;
+           n < order.size() && looked < static_cast<std::size_t>(options.AgreementViews); ++n)
+      {
+        if (order[n] == viewId)
+        {
+          continue;
+        }
+        ++looked;
+        const Camera& other = views[order[n]].Cam;
+        const double z = other.Depth(point);
+        if (z <= 0)
+        {
+          continue;
+        }
+        const Vector2d pixel = other.Project(point);
+        const int i = static_cast<int>(std::lround(pixel.x()));
+        const int j = static_cast<int>(std::lround(pixel.y()));
+        const Image<float>& map = depths[order[n]];
+        if (map.Ref().Contains(i, j) && map(i, j) > 0)
+        {
+          agree += std::abs(map(i, j) - z) < tolerance;
+          seenThrough += map(i, j) - z >= tolerance;
+        }
+      }
+      const double agreement = agree >= 2 ? 1.0 : agree == 1 ? 0.6 : 0.12;
+      confidence(x, y) = static_cast<float>(score(x, y) * Incidence(camera, depth, x, y) *
+        agreement * (seenThrough > agree ? 0.3 : 1.0));
+    }
+  }
+  return confidence;
+}
+
+std::vector<ReferenceDepth> EstimateReferenceDepths(const std::vector<View>& views,
+  const TriangleMesh& hull, const ReferenceDepthOptions& options, const Execution& execution)
+{
+  return Estimator(views, hull, options, execution).Estimate();
+}
+}

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class vtkReferenceDepthEstimator
+ * @brief A depth map in every photograph, for the deformers to find the surface by.
+ *
+ * The paper triangulates points between one key image and its neighbours for the vertices of one
+ * mesh (equations 7 and 8). This stage does the same for every pixel with every photograph in turn
+ * as the key, once per data set: first behind the hull's front at half resolution, then about the
+ * fused surface of all maps at full resolution. The deformers fuse the maps on the lines their
+ * points move on (FusedField.h).
+ *
+ * Ports:
+ *  - in 0: vtkMultiBlockDataSet, the views (see ViewAccess.h) with `Color`, `Mask`,
+ *    `ContourDistance`.
+ *  - in 1: vtkPolyData, a closed mesh around the object, such as the crust of the hull.
+ *  - out 0: vtkMultiBlockDataSet, the same views (arrays shared) with two point arrays more:
+ *      `Depth` (float, z in world units, 0 where there is no object),
+ *      `Confidence` (float, 0 to 1).
+ *
+ * Differs from the paper: the whole stage is an addition; preset `paper` runs without it.
+ *
+ * Errors: fewer than two views, missing arrays, cells that are not triangles.
+ *
+ * References: Chia, He and Lin 2013 [7, 8]; Hirschmueller, "Stereo processing by semiglobal
+ * matching and mutual information", IEEE PAMI 30(2), 2008.
+ */
+#ifndef vtkReferenceDepthEstimator_h
+#define vtkReferenceDepthEstimator_h
+
+#include "vtkNovelViewFiltersModule.h"
+#include <vtkMultiBlockDataSetAlgorithm.h>
+
+class VTKNOVELVIEWFILTERS_EXPORT vtkReferenceDepthEstimator : public vtkMultiBlockDataSetAlgorithm
+{
+public:
+  static vtkReferenceDepthEstimator* New();
+  vtkTypeMacro(vtkReferenceDepthEstimator, vtkMultiBlockDataSetAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** Neighbouring photographs each is matched with. Default 4, range 1 to 16. */
+  vtkSetClampMacro(Neighbours, int, 1, 16);
+  vtkGetMacro(Neighbours, int);
+  ///@}
+
+  ///@{
+  /** How deep behind the hull's front is searched, pixel footprints. Default 150, 4 to 1000. */
+  vtkSetClampMacro(SearchDepth, double, 4.0, 1000.0);
+  vtkGetMacro(SearchDepth, double);
+  ///@}
+
+  ///@{
+  /** Radius of the matching windows, pixels. Default 2 (5x5), range 1 to 5. */
+  vtkSetClampMacro(WindowRadius, int, 1, 5);
+  vtkGetMacro(WindowRadius, int);
+  ///@}
+
+  ///@{
+  /**
+   * Share of the colour difference in the matching cost; the rest is correlation. Default 0.5,
+   * range 0 to 1.
+   */
+  vtkSetClampMacro(ColorShare, double, 0.0, 1.0);
+  vtkGetMacro(ColorShare, double);
+  ///@}
+
+protected:
+  vtkReferenceDepthEstimator();
+  ~vtkReferenceDepthEstimator() override = default;
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
+  int Neighbours = 4;
+  double SearchDepth = 150;
+  int WindowRadius = 2;
+  double ColorShare = 0.5;
+
+private:
+  vtkReferenceDepthEstimator(const vtkReferenceDepthEstimator&) = delete;
+  void operator=(const vtkReferenceDepthEstimator&) = delete;
+};
+
+#endif
