@@ -45,8 +45,8 @@ struct SilhouetteOptions
  *  4. Closing, the largest component, small holes filled.
  *  5. The rim is moved to where the difference is half of that just inside of it, since a bright
  *     object's blur is brighter than any low level.
- *  6. Before a dark background, large regions next to the object that differ from the background only when smoothed, parts
- *     in deep shadow, are added, unless they run along the frame as a backdrop does.
+ *  6. Before a dark background, large regions next to the object that differ from it only when
+ *     smoothed are added: parts in deep shadow. Not so regions along the frame: a backdrop.
  *
  * Parts of the object no brighter than a dark background cannot be told from it; give masks then.
  * A photograph without any difference gives an empty silhouette.
