@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <vector>
 
 namespace novelview
 {
@@ -61,23 +62,42 @@ double Ellipsoid(const Point& p, const Point& centre, const Point& radii)
   return (scaled.norm() - 1) * radii.minCoeff();
 }
 
-double Stool(const Point& p)
+/** A rod of the stool and the fillet it is joined with. */
+struct StoolRod
 {
-  double field = Disc(p, 0.85, 0.75, 0.09, 0.05);
+  Point From;
+  Point To;
+  double RadiusFrom;
+  double RadiusTo;
+  double Fillet;
+};
+
+std::vector<StoolRod> StoolRods()
+{
+  std::vector<StoolRod> rods;
   for (int leg = 0; leg < 4; ++leg)
   {
     const double angle = EIGEN_PI / 4 + leg * EIGEN_PI / 2;
     const Point side(std::cos(angle), 0, std::sin(angle));
-    const Point top = 0.5 * side + Point(0, 0.8, 0);
-    const Point foot = 0.75 * side + Point(0, -0.95, 0);
-    field = SmoothUnion(field, Rod(p, top, foot, 0.07, 0.045), 0.06);
+    rods.push_back(
+      { 0.5 * side + Point(0, 0.8, 0), 0.75 * side + Point(0, -0.95, 0), 0.07, 0.045, 0.06 });
     // One rung per leg, at heights that differ so that the stool has no symmetry to confuse.
     const Point next(-side.z(), 0, side.x());
     const double height = -0.45 + 0.12 * leg;
-    const double t = (0.8 - height) / 1.75;
+    const double spread = 0.5 + 0.25 * (0.8 - height) / 1.75;
     const Point up(0, height, 0);
-    field = SmoothUnion(
-      field, Rod(p, (0.5 + 0.25 * t) * side + up, (0.5 + 0.25 * t) * next + up, 0.03, 0.03), 0.03);
+    rods.push_back({ spread * side + up, spread * next + up, 0.03, 0.03, 0.03 });
+  }
+  return rods;
+}
+
+double Stool(const Point& p)
+{
+  static const std::vector<StoolRod> rods = StoolRods();
+  double field = Disc(p, 0.85, 0.75, 0.09, 0.05);
+  for (const StoolRod& rod : rods)
+  {
+    field = SmoothUnion(field, Rod(p, rod.From, rod.To, rod.RadiusFrom, rod.RadiusTo), rod.Fillet);
   }
   return field;
 }
@@ -145,9 +165,9 @@ Point OnRectangle(double angle, double halfWidth, double halfHeight, double z)
 }
 
 /**
- * A block of 2 x 1.4 x 0.8 with a hole of radius 0.4 along z: four rings of points (outer and inner,
- * front and back), each joined to the next by a strip of triangles. The rings have a point at each of
- * the block's corners, so that its edges are sharp.
+ * A block of 2 x 1.4 x 0.8 with a hole of radius 0.4 along z: four rings of points (outer and
+ * inner, front and back), each joined to the next by a strip of triangles. The rings have a point
+ * at each of the block's corners, so that its edges are sharp.
  */
 vtkSmartPointer<vtkPolyData> Part()
 {
@@ -197,7 +217,7 @@ vtkSmartPointer<vtkPolyData> MakeBuiltinShape(const std::string& name)
   }
   if (name == "stool")
   {
-    return Surface(Stool, 200); // a grid step of 0.012 against rungs 0.06 thick
+    return Surface(Stool, 160); // a grid step of 0.015 against rungs 0.06 thick
   }
   if (name == "bust")
   {

@@ -6,6 +6,8 @@
 #include "ObjectMesh.h"
 #include "Photographer.h"
 #include "PngFile.h"
+#include "ScenePictures.h"
+#include "ViewAccess.h"
 
 #include <nlohmann/json.hpp>
 
@@ -105,7 +107,7 @@ Photograph TakeView(
 }
 
 /** One camera with the name of its picture. */
-struct NamedCamera
+struct Shot
 {
   std::string Name;
   Camera Cam;
@@ -125,10 +127,10 @@ void AppendMatrix(std::string& line, const Eigen::Ref<const Eigen::MatrixXd>& ma
   }
 }
 
-void WriteCalibration(const fs::path& path, const std::vector<NamedCamera>& cameras)
+void WriteCalibration(const fs::path& path, const std::vector<Shot>& cameras)
 {
   std::string text = std::to_string(cameras.size()) + "\n";
-  for (const NamedCamera& camera : cameras)
+  for (const Shot& camera : cameras)
   {
     text += camera.Name;
     AppendMatrix(text, camera.Cam.K);
@@ -179,7 +181,7 @@ std::string OptionsText(const GeneratorOptions& options)
 void WriteHeldOut(Photographer& photographer, const std::vector<Camera>& cameras,
   const fs::path& folder, const std::function<void()>& step)
 {
-  std::vector<NamedCamera> named;
+  std::vector<Shot> named;
   for (const Camera& camera : cameras)
   {
     const std::string name = PictureName("test", named.size());
@@ -192,11 +194,28 @@ void WriteHeldOut(Photographer& photographer, const std::vector<Camera>& cameras
   WriteCalibration(folder / "test_par.txt", named);
 }
 
-void WriteViews(Photographer& photographer, const Rig& rig, const GeneratorOptions& options,
-  const fs::path& folder, const std::function<void()>& step)
+/** The photograph for the overview (by value, since OpenCV wraps no const pixels). */
+vtkSmartPointer<vtkImageData> Thumbnail(Image<std::uint8_t> color)
+{
+  cv::Mat small;
+  const double scale = std::min(1.0, 400.0 / color.Width);
+  cv::resize(Wrap(color), small, cv::Size(), scale, scale, cv::INTER_AREA);
+  vtkSmartPointer<vtkImageData> image = NewImage(small.cols, small.rows);
+  const auto out = AddTopDownArray<std::uint8_t>(image, arrays::Color, 3);
+  for (int y = 0; y < small.rows; ++y)
+  {
+    std::copy_n(small.ptr<std::uint8_t>(y), 3 * small.cols, out.Row(y));
+  }
+  return image;
+}
+
+/** Returns the photographs for the overview. */
+std::vector<vtkSmartPointer<vtkImageData>> WriteViews(Photographer& photographer, const Rig& rig,
+  const GeneratorOptions& options, const fs::path& folder, const std::function<void()>& step)
 {
   const std::string stem = ObjectName(options.Mesh);
-  std::vector<NamedCamera> named;
+  std::vector<Shot> named;
+  std::vector<vtkSmartPointer<vtkImageData>> thumbnails;
   for (int viewId = 0; viewId < options.Views; ++viewId)
   {
     const std::string name = PictureName(stem, viewId);
@@ -207,9 +226,31 @@ void WriteViews(Photographer& photographer, const Rig& rig, const GeneratorOptio
       WritePng(folder / "mask" / name, photograph.Coverage.Ref());
     }
     named.push_back({ name, rig.Written[viewId] });
+    thumbnails.push_back(Thumbnail(photograph.Color));
     step();
   }
   WriteCalibration(folder / (stem + "_par.txt"), named);
+  return thumbnails;
+}
+
+void WriteOverview(const fs::path& path, vtkPolyData* mesh, const Rig& rig,
+  const GeneratorOptions& options, std::vector<vtkSmartPointer<vtkImageData>> photographs)
+{
+  RigPicture picture;
+  picture.Title = ObjectName(options.Mesh) + ", " + options.Texture + ", photographs of " +
+    SizeText(options.Width, options.Height);
+  picture.Mesh = mesh;
+  picture.Look = { options.Texture, options.Lit, options.Seed };
+  picture.Views = rig.Views;
+  picture.Photographs = std::move(photographs);
+  picture.HeldOut = rig.Tests;
+  for (const double angleDeg : options.TestAnglesDeg)
+  {
+    char label[32];
+    std::snprintf(label, sizeof label, "%g\xC2\xB0", angleDeg); // the degree sign
+    picture.HeldOutLabels.emplace_back(label);
+  }
+  DrawRig(picture, path);
 }
 }
 
@@ -236,11 +277,13 @@ void GenerateDataset(
     mesh, { options.Texture, options.Lit, options.Seed }, options.Supersampling);
   WriteTruth(out / "truth.ply", mesh);
   report("photographs", 2);
-  WriteViews(photographer, rig, options, out, [&] { report("photographs", 1); });
+  const auto photographs =
+    WriteViews(photographer, rig, options, out, [&] { report("photographs", 1); });
   if (!rig.Tests.empty())
   {
     WriteHeldOut(photographer, rig.Tests, out / "test", [&] { report("held-out views", 1); });
   }
+  WriteOverview(out / "overview.png", mesh, rig, options, photographs);
   WriteTextAtomically(out / "generate.json", OptionsText(options));
   report("done", 1);
 }

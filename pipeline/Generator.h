@@ -44,8 +44,8 @@ struct GeneratorOptions
   std::vector<int> ShadowViews;     ///< photographs in which a shadow lies on the object
   double ShadowDarkness = 0.96;     ///< share of the light that it takes away
   /**
-   * "exact", "threshold" (every pixel brighter than 24 of 255: what simple thresholding makes of the
-   * photograph, so that shadowed parts are missing) or "none".
+   * "exact", "threshold" (every pixel brighter than 24 of 255: what simple thresholding makes of
+   * the photograph, so that shadowed parts are missing) or "none".
    */
   std::string Masks = "exact";
 };
@@ -72,7 +72,7 @@ using GeneratorProgress = std::function<bool(const std::string& what, double fra
  *
  *     NAME0000.png ...    photographs, NAME = the object's
  *     NAME_par.txt        count, then `file K(9) R(9) t(3)` per line, row-major
- *     mask/FILE           coverage, 0 to 255: crossing 127.5 is the contour, to a fraction of a pixel
+ *     mask/FILE           coverage, 0 to 255; where it crosses 127.5 is the contour
  *     test/               test0000.png ..., test_par.txt and mask/ of the held-out views
  *     truth.ply           the mesh
  *     overview.png        object, cameras and held-out cameras as a desktop program would show them

@@ -35,8 +35,8 @@ Eigen::Vector3d Outwards(double angleDeg, double elevationDeg)
 }
 
 /**
- * The least distance from which a camera looking along -outwards sees all points within `Fill` of its
- * frame: f |x| / (d + z) <= Fill * half a frame for each point, x across and z along the axis.
+ * The least distance from which a camera looking along -outwards sees all points within `Fill` of
+ * its frame: f |x| / (d + z) <= Fill * half a frame for each point, x across and z along the axis.
  */
 double DistanceToFit(const std::vector<Eigen::Vector3d>& pointsFromCentre,
   const Eigen::Vector3d& outwards, const GeneratorOptions& options)

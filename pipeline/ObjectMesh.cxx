@@ -8,6 +8,7 @@
 #include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
 #include <vtkCleanPolyData.h>
+#include <vtkExecutive.h>
 #include <vtkFeatureEdges.h>
 #include <vtkNew.h>
 #include <vtkOBJReader.h>
@@ -49,6 +50,7 @@ vtkSmartPointer<vtkPolyData> ReadWith(const std::string& file)
   observer->SetCallback(KeepFirstMessage);
   observer->SetClientData(&message);
   reader->AddObserver("ErrorEvent", observer);
+  reader->GetExecutive()->AddObserver("ErrorEvent", observer);
   reader->AddObserver("WarningEvent", observer);
   if constexpr (std::is_same_v<Reader, vtkXMLPolyDataReader>)
   {

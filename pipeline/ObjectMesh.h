@@ -11,9 +11,9 @@
 namespace novelview
 {
 /**
- * The built-in objects, all closed: "bunny" (the Stanford bunny of Debian's glmark2-data), "part" (a
- * block with flat faces, sharp edges and a through hole), "stool" (thin legs), "bust" (a smooth head
- * with concavities), "torus".
+ * The built-in objects, all closed: "bunny" (the Stanford bunny of Debian's glmark2-data), "part"
+ * (a block with flat faces, sharp edges and a through hole), "stool" (thin legs), "bust" (a smooth
+ * head with concavities), "torus".
  */
 const std::vector<std::string>& BuiltinObjects();
 

@@ -9,12 +9,15 @@
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkRenderer.h>
+#include <vtkRendererCollection.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <GL/osmesa.h>
+#include <spdlog/spdlog.h>
 
 #include <array>
 #include <cmath>
+#include <mutex>
 
 extern "C"
 {
@@ -84,6 +87,11 @@ protected:
     if (this->Context)
     {
       this->BindContext();
+      // Renderers that live on must let go of their graphics while the context still exists.
+      while (vtkRenderer* renderer = this->Renderers->GetFirstRenderer())
+      {
+        this->RemoveRenderer(renderer);
+      }
       this->Finalize();
       OSMesaDestroyContext(this->Context);
       this->Context = nullptr;
@@ -150,6 +158,8 @@ OffscreenWindow::OffscreenWindow(int width, int height)
   }
   this->Render = window;
   this->ProveItDraws();
+  static std::once_flag told;
+  std::call_once(told, [this] { spdlog::info("offscreen rendering with {}", this->Name); });
 }
 
 //------------------------------------------------------------------------------

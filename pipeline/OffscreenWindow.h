@@ -2,12 +2,12 @@
 #ifndef novelview_OffscreenWindow_h
 #define novelview_OffscreenWindow_h
 
+#include <vtkImageData.h>
+#include <vtkRenderWindow.h>
 #include <vtkSmartPointer.h>
 
 #include <string>
 
-class vtkImageData;
-class vtkRenderWindow;
 class vtkRenderer;
 
 namespace novelview
@@ -24,8 +24,8 @@ class OffscreenWindow
 {
 public:
   /**
-   * Opens a window of this many pixels and proves that it draws: OpenGL must tell its version, and a
-   * cleared picture must read back in the colour it was cleared to.
+   * Opens a window of this many pixels and proves that it draws: OpenGL must tell its version, and
+   * a cleared picture must read back in the colour it was cleared to.
    *
    * Throws Error when the size is not positive or more than the driver can do, when no context can
    * be made, or when the proof fails.
@@ -38,7 +38,7 @@ public:
   int Width() const { return this->Size[0]; }
   int Height() const { return this->Size[1]; }
 
-  /** "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5 (Core Profile) ...": a line for the log. */
+  /** What draws: "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5 ...". The first window logs it. */
   const std::string& RendererName() const { return this->Name; }
 
   /** The window itself, to which renderers are added. Borrowed. */
@@ -46,7 +46,8 @@ public:
 
   /**
    * Draws all renderers that were added. The image has a point array of 3 components (RGB, uint8),
-   * or of 4 with `withAlpha`: alpha is then 0 where nothing was drawn. Bottom-up rows, as VTK has them.
+   * or of 4 with `withAlpha`: alpha is then 0 where nothing was drawn. Bottom-up rows, as VTK has
+   * them.
    */
   vtkSmartPointer<vtkImageData> Capture(bool withAlpha = false);
 

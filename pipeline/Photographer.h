@@ -22,8 +22,8 @@ struct Photograph
 
 /**
  * Takes photographs of one object with exactly calibrated cameras: a pixel (u, v) is the mean of
- * supersampling^2 samples spread evenly over [u - 0.5, u + 0.5) x [v - 0.5, v + 0.5), rendered by VTK
- * through OSMesa. The picture is rendered in tiles, so that any size needs little memory.
+ * supersampling^2 samples spread evenly over [u - 0.5, u + 0.5) x [v - 0.5, v + 0.5), rendered by
+ * VTK through OSMesa. The picture is rendered in tiles, so that any size needs little memory.
  */
 class Photographer
 {

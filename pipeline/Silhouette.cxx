@@ -118,58 +118,6 @@ cv::Mat DifferenceFrom(const cv::Mat& photo, const cv::Vec3d& background, bool s
   return difference;
 }
 
-struct Levels
-{
-  int Noise = 0; ///< median of the background's own differences
-  int Low = 0;   ///< above it: may be object
-  int High = 0;  ///< above it: surely object
-};
-
-Levels ChooseLevels(
-  const cv::Mat& difference, const cv::Mat& border, const std::optional<double>& level)
-{
-  Levels levels;
-  cv::Mat unused;
-  levels.High = static_cast<int>(
-    cv::threshold(difference, unused, 0, 255, cv::THRESH_BINARY | cv::THRESH_OTSU));
-  std::vector<int> background;
-  for (int y = 0; y < difference.rows; ++y)
-  {
-    for (int x = 0; x < difference.cols; ++x)
-    {
-      const int value = difference.at<std::uint8_t>(y, x);
-      if (border.at<std::uint8_t>(y, x) && value <= levels.High)
-      {
-        background.push_back(value);
-      }
-    }
-  }
-  const auto median = [](std::vector<int>& values)
-  {
-    const auto middle = values.begin() + values.size() / 2;
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-  };
-  int spread = 0;
-  if (!background.empty())
-  {
-    levels.Noise = median(background);
-    for (int& value : background)
-    {
-      value = std::abs(value - levels.Noise);
-    }
-    spread = median(background);
-  }
-  // Six standard deviations of the noise (1.48 median deviations each), and two levels for what
-  // rounding hides.
-  levels.Low = std::min(levels.High, levels.Noise + static_cast<int>(6 * 1.48 * spread) + 2);
-  if (level)
-  {
-    levels.Low = levels.High = static_cast<int>(std::ceil(*level)) - 1;
-  }
-  return levels;
-}
-
 /** The components of `candidates` that hold at least one pixel of `sure`. */
 cv::Mat ConnectedTo(const cv::Mat& candidates, const cv::Mat& sure)
 {
@@ -214,6 +162,127 @@ cv::Mat LargestComponent(const cv::Mat& mask)
     }
   }
   return largest > 0 ? cv::Mat(labels == largest) : cv::Mat(cv::Mat::zeros(mask.size(), CV_8U));
+}
+
+struct Levels
+{
+  int Noise = 0; ///< median of the background's own differences
+  int Low = 0;   ///< above it and connected to what is surely object: object
+  int High = 0;  ///< above it: surely object
+};
+
+/** Median and median deviation of the border's differences up to a level. */
+std::pair<int, int> BackgroundNoise(const cv::Mat& difference, const cv::Mat& border, int upTo)
+{
+  std::vector<int> background;
+  for (int y = 0; y < difference.rows; ++y)
+  {
+    for (int x = 0; x < difference.cols; ++x)
+    {
+      const int value = difference.at<std::uint8_t>(y, x);
+      if (border.at<std::uint8_t>(y, x) && value <= upTo)
+      {
+        background.push_back(value);
+      }
+    }
+  }
+  if (background.empty())
+  {
+    return { 0, 0 };
+  }
+  const auto median = [&background]
+  {
+    const auto middle = background.begin() + background.size() / 2;
+    std::nth_element(background.begin(), middle, background.end());
+    return *middle;
+  };
+  const int noise = median();
+  for (int& value : background)
+  {
+    value = std::abs(value - noise);
+  }
+  return { noise, median() };
+}
+
+cv::Mat ObjectAt(const cv::Mat& difference, int low, int high)
+{
+  return LargestComponent(ConnectedTo(difference > low, difference > high));
+}
+
+/**
+ * How well the outline of a mask follows edges: mean over its contour of log(1 + contrast / noise),
+ * contrast = range of the difference in the 3 x 3 pixels around. Contour along the frame is none.
+ */
+double EdgeScore(const cv::Mat& mask, const cv::Mat& contrast, double noise)
+{
+  cv::Mat inner;
+  cv::erode(mask, inner, cv::Mat());
+  double sum = 0;
+  double count = 0;
+  for (int y = 1; y + 1 < mask.rows; ++y)
+  {
+    for (int x = 1; x + 1 < mask.cols; ++x)
+    {
+      if (mask.at<std::uint8_t>(y, x) && !inner.at<std::uint8_t>(y, x))
+      {
+        sum += std::log1p(contrast.at<std::uint8_t>(y, x) / noise);
+        count += 1;
+      }
+    }
+  }
+  return count > 0 ? sum / count : 0;
+}
+
+/**
+ * The level whose outline follows the edges of the picture best. Too low a level runs through the
+ * folds of a backdrop, too high a one through the shading of the object; both are smooth. Among
+ * about equals (a tenth) the lowest, which keeps the dark parts.
+ */
+int LevelAlongEdges(const cv::Mat& difference, int lowest, int high, double noise)
+{
+  constexpr double aboutEqual = 0.9;
+  cv::Mat least;
+  cv::Mat most;
+  cv::erode(difference, least, cv::Mat());
+  cv::dilate(difference, most, cv::Mat());
+  const cv::Mat contrast = most - least;
+  std::vector<std::pair<int, double>> scores;
+  double best = 0;
+  for (int level = lowest; level <= high; level += std::max(1, level / 6))
+  {
+    scores.emplace_back(level, EdgeScore(ObjectAt(difference, level, high), contrast, noise));
+    best = std::max(best, scores.back().second);
+  }
+  for (const auto& [level, score] : scores)
+  {
+    if (score >= aboutEqual * best)
+    {
+      return level;
+    }
+  }
+  return high;
+}
+
+Levels ChooseLevels(
+  const cv::Mat& difference, const cv::Mat& border, const std::optional<double>& level)
+{
+  Levels levels;
+  if (level)
+  {
+    levels.Low = levels.High = static_cast<int>(std::ceil(*level)) - 1;
+    return levels;
+  }
+  cv::Mat unused;
+  levels.High = static_cast<int>(
+    cv::threshold(difference, unused, 0, 255, cv::THRESH_BINARY | cv::THRESH_OTSU));
+  const auto [noise, spread] = BackgroundNoise(difference, border, levels.High);
+  levels.Noise = noise;
+  // Six standard deviations of the noise (1.48 median deviations each), and two levels for what
+  // rounding hides.
+  const double deviations = 6 * 1.48 * spread + 2;
+  const int lowest = std::min(levels.High, noise + static_cast<int>(deviations));
+  levels.Low = LevelAlongEdges(difference, lowest, levels.High, deviations);
+  return levels;
 }
 
 /** Fills the enclosed background components below a part of the object's area. */
@@ -291,6 +360,93 @@ cv::Mat SoftenRim(const cv::Mat& mask, const cv::Mat& difference, int noise)
   }
   return result;
 }
+
+/** Mean colour of the background-to-be around every pixel, without the object's own light. */
+cv::Mat SmoothOutside(const cv::Mat& photo, const cv::Mat& outside, double sigmaPx)
+{
+  cv::Mat weight;
+  cv::Mat colour;
+  outside.convertTo(weight, CV_32F, 1.0 / 255);
+  photo.convertTo(colour, CV_32F);
+  colour.setTo(cv::Scalar::all(0), outside == 0);
+  cv::GaussianBlur(weight, weight, cv::Size(), sigmaPx, sigmaPx, cv::BORDER_REFLECT);
+  cv::GaussianBlur(colour, colour, cv::Size(), sigmaPx, sigmaPx, cv::BORDER_REFLECT);
+  cv::Mat weights;
+  cv::merge(std::vector<cv::Mat>(3, cv::max(weight, 1e-6)), weights);
+  return colour / weights;
+}
+
+/** Mean and standard deviation of what lies within three deviations of the rest, a few rounds. */
+std::pair<double, double> ClippedNoise(const cv::Mat& values, const cv::Mat& where)
+{
+  cv::Mat used = where.clone();
+  cv::Scalar mean;
+  cv::Scalar deviation;
+  for (int round = 0; round < 5; ++round)
+  {
+    cv::meanStdDev(values, mean, deviation, used);
+    used = where & (values <= mean[0] + 3 * deviation[0]);
+  }
+  return { mean[0], deviation[0] };
+}
+
+int PixelsAtFrame(const cv::Mat& mask)
+{
+  return cv::countNonZero(mask.row(0)) + cv::countNonZero(mask.row(mask.rows - 1)) +
+    cv::countNonZero(mask.col(0)) + cv::countNonZero(mask.col(mask.cols - 1));
+}
+
+/**
+ * Adds the parts of the object that lie in such deep shadow that single pixels drown in the noise:
+ * smoothed, they still differ from the background. Taken are large regions next to the object that
+ * reach the frame no more than the object itself does, which folds of a backdrop do.
+ */
+void AddFaintParts(cv::Mat& mask, const cv::Mat& photo, const cv::Mat& border)
+{
+  constexpr double smoothingPx = 2;
+  constexpr int blurPx = 3;          // how far the light of the object may reach by blur
+  constexpr double leastArea = 0.01; // of the object; smaller regions are reflections
+  cv::Mat near;
+  cv::dilate(mask, near,
+    cv::getStructuringElement(cv::MORPH_ELLIPSE, cv::Size(2 * blurPx + 1, 2 * blurPx + 1)));
+  const cv::Mat outside = near == 0;
+  const cv::Mat ground = outside & border;
+  const double objectArea = cv::countNonZero(mask > 127);
+  if (cv::countNonZero(ground) == 0 || objectArea == 0)
+  {
+    return;
+  }
+  const cv::Mat smooth = SmoothOutside(photo, outside, smoothingPx);
+  const cv::Mat background(photo.size(), CV_32FC3, cv::mean(smooth, ground));
+  std::vector<cv::Mat> channels;
+  cv::split(cv::abs(smooth - background), channels);
+  const cv::Mat difference = cv::max(cv::max(channels[0], channels[1]), channels[2]);
+  const auto [noise, deviation] = ClippedNoise(difference, ground);
+  cv::Mat labels;
+  cv::Mat stats;
+  cv::Mat centroids;
+  // Six deviations of the smoothed noise, and half a level that rounding may hide.
+  const cv::Mat faint = outside & (difference > noise + 6 * deviation + 0.5);
+  const int count = cv::connectedComponentsWithStats(faint, labels, stats, centroids, 4);
+  cv::Mat touching;
+  cv::dilate(near, touching, cv::Mat());
+  for (int label = 1; label < count; ++label)
+  {
+    cv::Mat region = labels == label;
+    if (stats.at<int>(label, cv::CC_STAT_AREA) < leastArea * objectArea ||
+      PixelsAtFrame(region) > PixelsAtFrame(mask) || cv::countNonZero(region & touching) == 0)
+    {
+      continue;
+    }
+    // Its rim, too, is at half its height.
+    const double height = cv::mean(difference, region)[0] - noise;
+    region &= difference > noise + height / 2;
+    // What lies between the region and the object was too near to the object's light to judge.
+    cv::Mat seam;
+    cv::dilate(region, seam, cv::Mat(), cv::Point(-1, -1), blurPx + 1);
+    mask.setTo(255, region | (seam & near & (mask < 128)));
+  }
+}
 }
 
 Image<std::uint8_t> ExtractSilhouette(
@@ -301,7 +457,7 @@ Image<std::uint8_t> ExtractSilhouette(
   const cv::Vec3d background = BackgroundColour(pixels, border);
   const cv::Mat difference = DifferenceFrom(pixels, background, options.IgnoreShadows);
   const Levels levels = ChooseLevels(difference, border, options.Level);
-  cv::Mat mask = ConnectedTo(difference > levels.Low, difference > levels.High);
+  cv::Mat mask = ObjectAt(difference, levels.Low, levels.High);
   mask = LargestComponent(Close(mask, options.ClosingPx));
   FillSmallHoles(mask, options.SmallHole);
   if (!options.Level)
@@ -312,6 +468,13 @@ Image<std::uint8_t> ExtractSilhouette(
     cv::Mat reach;
     cv::dilate(body, reach, cv::Mat());
     mask.setTo(0, reach == 0);
+    // Shadowed parts vanish before a dark background only; before a bright one they stand out, and
+    // what is faint there is the shadow that the object casts.
+    constexpr double darkBackground = 64;
+    if (std::max({ background[0], background[1], background[2] }) < darkBackground)
+    {
+      AddFaintParts(mask, pixels, border);
+    }
   }
   return FromMat<std::uint8_t>(mask);
 }

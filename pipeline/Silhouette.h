@@ -23,8 +23,9 @@ struct SilhouetteOptions
   std::optional<double> Level;
   /** Gaps of up to twice this many pixels are closed. */
   int ClosingPx = 2;
-  /** Holes smaller than this part of the object's area are filled; larger ones are real. */
-  double SmallHole = 0.002;
+  /** Holes smaller than this part of the object's area are filled; larger ones are real. A dark
+   * crevice taken for a hole carves the object, a filled hole only leaves it to other views. */
+  double SmallHole = 0.01;
   /** Take darker shades of a clearly coloured background for shadows the object casts on it. */
   bool IgnoreShadows = true;
 };
@@ -37,14 +38,17 @@ struct SilhouetteOptions
  *     leave the frame.
  *  2. Difference of every pixel from it. Before a coloured background, what differs only by being
  *     darker is shadow and does not count.
- *  3. Without a level two are chosen: Otsu's, which surely is object, and the end of the
- *     background's own noise. Object is what rises above the noise and is connected to what surely
- *     is object, so that parts in shadow are kept and specks of the background are not.
+ *  3. Without a level two are chosen: Otsu's, above which is surely object, and a lower one; what
+ *     is above that and connected to surely object is object, so that parts in shadow are kept.
+ *     The lower one is that whose outline follows the edges of the picture best, so that folds and
+ *     lights of a backdrop are left out.
  *  4. Closing, the largest component, small holes filled.
  *  5. The rim is moved to where the difference is half of that just inside of it, since a bright
  *     object's blur is brighter than any low level.
+ *  6. Before a dark background, large regions next to the object that differ from the background only when smoothed, parts
+ *     in deep shadow, are added, unless they run along the frame as a backdrop does.
  *
- * Parts of the object as dark as a dark background cannot be told from it; give masks for those.
+ * Parts of the object no brighter than a dark background cannot be told from it; give masks then.
  * A photograph without any difference gives an empty silhouette.
  */
 Image<std::uint8_t> ExtractSilhouette(

@@ -24,10 +24,18 @@ constexpr const char* NormalArray = "SolidTextureNormal";
 
 // Places are in units of the bounding box's diagonal, the centre of the box is the origin.
 constexpr const char* NoiseSource = R"(
-uint Hash(uint a) { a ^= a >> 16; a *= 0x7feb352du; a ^= a >> 15; a *= 0x846ca68bu; return a ^ (a >> 16); }
+uint Hash(uint a)
+{
+  a ^= a >> 16;
+  a *= 0x7feb352du;
+  a ^= a >> 15;
+  a *= 0x846ca68bu;
+  return a ^ (a >> 16);
+}
 float Lattice(ivec3 c)
 {
-  return float(Hash(uint(c.x) + Hash(uint(c.y) + Hash(uint(c.z) + Hash(uint(seed)))))) / 4294967295.0;
+  uint mixed = Hash(uint(c.x) + Hash(uint(c.y) + Hash(uint(c.z) + Hash(uint(seed)))));
+  return float(mixed) / 4294967295.0;
 }
 // Value noise, -1 to 1, smooth, one lattice cell per unit.
 float Noise(vec3 p)
@@ -74,7 +82,8 @@ vec3 SolidColour(vec3 p)
 {
   float bend = Turbulence(7.0 * p);
   float vein = 1.0 - abs(sin(24.0 * (p.x + 0.6 * p.y - 0.35 * p.z) + 9.0 * bend));
-  float fine = 1.0 - abs(sin(61.0 * (0.4 * p.x - 0.7 * p.y + 0.6 * p.z) + 13.0 * Turbulence(11.0 * p + 3.0)));
+  float along = 61.0 * (0.4 * p.x - 0.7 * p.y + 0.6 * p.z);
+  float fine = 1.0 - abs(sin(along + 13.0 * Turbulence(11.0 * p + 3.0)));
   float dark = clamp(0.75 * pow(vein, 4.0) + 0.35 * pow(fine, 6.0) + 0.10 * Noise(70.0 * p) +
     0.07 * Noise(150.0 * p) + 0.2 * bend, 0.0, 1.0);
   return mix(vec3(0.90, 0.89, 0.86), vec3(0.28, 0.31, 0.36), dark);
@@ -109,8 +118,8 @@ vec3 SolidColour(vec3 p)
   return sources;
 }
 
-// A key light from the upper right front, a weaker one from the left back, and sky over ground; all in
-// the object's frame, so that a surface keeps its brightness from one photograph to the next.
+// A key light from the upper right front, a weaker one from the left back, and sky over ground; all
+// in the object's frame, so that a surface keeps its brightness from one photograph to the next.
 constexpr const char* ShadeSource = R"(
 float Shade(vec3 n)
 {

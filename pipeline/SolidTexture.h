@@ -23,14 +23,14 @@ struct SurfaceLook
 };
 
 /**
- * An actor with a solid texture: colour is a function of the place in the object, computed for every
- * pixel drawn (GLSL), so no texture coordinates are needed and every view shows the same. The grain
- * scales with the diagonal of the mesh's bounding box.
+ * An actor with a solid texture: colour is a function of the place in the object, computed for
+ * every pixel drawn (GLSL), so no texture coordinates are needed and every view shows the same. The
+ * grain scales with the diagonal of the mesh's bounding box.
  *
  * The geometry of the actor is moved so that the centre of the box is the origin (`centre` tells by
- * how much), which keeps the precision of single-precision rendering for objects far from the origin;
- * set the actor's position to `centre` to have it back in place. Edges sharper than 50 degrees stay
- * sharp in the shading.
+ * how much), which keeps the precision of single-precision rendering for objects far from the
+ * origin; set the actor's position to `centre` to have it back in place. Edges sharper than 50
+ * degrees stay sharp in the shading.
  *
  * Throws Error, naming the known ones, when there is no such texture.
  */
@@ -38,8 +38,8 @@ vtkSmartPointer<vtkActor> NewTexturedActor(
   vtkPolyData* mesh, const SurfaceLook& look, double centre[3]);
 
 /**
- * Lets a shadow fall on the lower part of the object: `darkness` is the fraction of light taken away,
- * 0 (no shadow, the default) to 1.
+ * Lets a shadow fall on the lower part of the object: `darkness` is the fraction of light taken
+ * away, 0 (no shadow, the default) to 1.
  */
 void SetShadow(vtkActor* texturedActor, double darkness);
 }

@@ -39,6 +39,7 @@ public:
     this->Command->SetCallback(&StageObserver::Hear);
     filter->AddObserver(vtkCommand::ErrorEvent, this->Command);
     filter->AddObserver(vtkCommand::ProgressEvent, this->Command);
+    filter->AddObserver(vtkCommand::StartEvent, this->Command);
     filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Command);
   }
   ~StageObserver()
@@ -49,6 +50,7 @@ public:
 
   std::string FirstError;
   bool StopAsked = false;
+  bool Executed = false; ///< it was not up to date already
 
 private:
   static void Hear(vtkObject* caller, unsigned long event, void* clientData, void* callData)
@@ -61,6 +63,10 @@ private:
       {
         self->FirstError = OwnText(static_cast<const char*>(callData));
       }
+    }
+    else if (event == vtkCommand::StartEvent)
+    {
+      self->Executed = true;
     }
     else if (self->Progress && !self->Progress(self->Stage, *static_cast<const double*>(callData)))
     {
@@ -91,7 +97,7 @@ void RunStage(const std::string& stage, vtkAlgorithm* filter, const StageProgres
   {
     throw Error(stage, observer.FirstError);
   }
-  if (done)
+  if (done && observer.Executed)
   {
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
     done(stage, taken.count());

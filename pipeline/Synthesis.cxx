@@ -8,6 +8,7 @@
 #include "vtkOutlineDeformer.h"
 #include "vtkPinholeCamera.h"
 #include "vtkPowerCrustMesher.h"
+#include "vtkReferenceDepthEstimator.h"
 #include "vtkViewDependentTextureMapper.h"
 #include "vtkVisibilityCuller.h"
 #include "vtkVisualHullSource.h"
@@ -27,6 +28,12 @@ SynthesisOptions PresetOptions(const std::string& preset)
   }
   if (preset == "best")
   {
+    options.UseDepthMaps = true;
+    options.References = 4;
+    options.Power = 16;
+    options.FeatherPx = 20;
+    options.OcclusionSoftness = 1.5;
+    options.RimSamples = 3;
     return options;
   }
   throw Error("preset", "unknown", preset, "best or paper");
@@ -53,18 +60,36 @@ public:
     this->Culler->SetInputConnection(this->Mesher->GetOutputPort());
 
     this->Outline->SetInputConnection(0, this->Culler->GetOutputPort());
-    this->Outline->SetInputData(1, views);
     this->Outline->SetNumberOfIterations(options.OutlineIterations);
     this->Outline->SetContourWeight(options.OutlineAlpha);
     this->Outline->SetSmoothWeight(options.OutlineBeta);
     this->Outline->SetSearchRange(options.OutlineSearchPx);
 
     this->NonOutline->SetInputConnection(0, this->Outline->GetOutputPort());
-    this->NonOutline->SetInputData(1, views);
     this->NonOutline->SetNumberOfIterations(options.NonOutlineIterations);
     this->NonOutline->SetSmoothWeight(options.NonOutlineAlpha);
 
-    this->Mapper->SetInputData(1, views);
+    this->DepthEstimator->SetInputData(0, views);
+    this->DepthEstimator->SetInputConnection(1, this->Mesher->GetOutputPort());
+    for (vtkAlgorithm* filter : { static_cast<vtkAlgorithm*>(this->Outline),
+           static_cast<vtkAlgorithm*>(this->NonOutline), static_cast<vtkAlgorithm*>(this->Mapper) })
+    {
+      if (options.UseDepthMaps)
+      {
+        filter->SetInputConnection(1, this->DepthEstimator->GetOutputPort());
+      }
+      else
+      {
+        filter->SetInputDataObject(1, views);
+      }
+    }
+    this->Outline->SetUseDepthMaps(options.UseDepthMaps);
+    this->Outline->SetSilhouettePrior(options.SilhouettePrior);
+    this->NonOutline->SetUseDepthMaps(options.UseDepthMaps);
+    this->Mapper->SetUseDepthMaps(options.UseDepthMaps);
+    this->Mapper->SetFeatherWidth(options.FeatherPx);
+    this->Mapper->SetOcclusionSoftness(options.OcclusionSoftness);
+    this->Mapper->SetRimSamples(options.RimSamples);
     this->Mapper->SetReferences(options.References);
     this->Mapper->SetPower(options.Power);
   }
@@ -89,7 +114,8 @@ public:
     this->Run("power crust", this->Mesher);
   }
 
-  NovelView Render(const Camera& camera, Stage upTo)
+  /** With `all`, every stage is textured; otherwise only the last. */
+  std::vector<NovelView> Render(const Camera& camera, Stage upTo, bool all)
   {
     const auto pinhole = NewPinholeCamera(camera);
     this->Culler->SetCamera(pinhole);
@@ -97,24 +123,35 @@ public:
     this->NonOutline->SetCamera(pinhole);
     this->Mapper->SetCamera(pinhole);
     this->RunCrust();
+    if (this->Options.UseDepthMaps)
+    {
+      this->Run("depth maps", this->DepthEstimator);
+    }
     this->Run("culling", this->Culler);
     this->Mapper->SetInputConnection(2, this->Culler->GetOutputPort(1));
-    vtkPolyDataAlgorithm* last = this->Culler;
+    std::vector<NovelView> views;
+    const auto add = [&](vtkPolyDataAlgorithm* filter, Stage stage)
+    {
+      if (all || stage == upTo)
+      {
+        NovelView& view = views.emplace_back();
+        view.Mesh = vtkSmartPointer<vtkPolyData>::New();
+        view.Mesh->ShallowCopy(filter->GetOutput());
+        view.Image = this->Textured(view.Mesh, "texture");
+      }
+    };
+    add(this->Culler, Stage::Hull);
     if (upTo != Stage::Hull)
     {
       this->RunDeformer("outline", this->Outline, Stage::Outline);
-      last = this->Outline;
+      add(this->Outline, Stage::Outline);
     }
     if (upTo == Stage::Full)
     {
       this->RunDeformer("non-outline", this->NonOutline, Stage::Full);
-      last = this->NonOutline;
+      add(this->NonOutline, Stage::Full);
     }
-    NovelView result;
-    result.Mesh = vtkSmartPointer<vtkPolyData>::New();
-    result.Mesh->ShallowCopy(last->GetOutput());
-    result.Image = this->Textured(result.Mesh, "texture");
-    return result;
+    return views;
   }
 
   vtkSmartPointer<vtkImageData> Texture(vtkPolyData* mesh, const Camera& camera)
@@ -194,6 +231,7 @@ private:
     this->Listener.Iteration(state);
   }
 
+  vtkNew<vtkReferenceDepthEstimator> DepthEstimator;
   vtkNew<vtkVisibilityCuller> Culler;
   vtkNew<vtkOutlineDeformer> Outline;
   vtkNew<vtkNonOutlineDeformer> NonOutline;
@@ -229,7 +267,12 @@ vtkPolyData* Synthesis::MedialBalls()
 
 NovelView Synthesis::Render(const Camera& camera, Stage upTo)
 {
-  return this->Own->Render(camera, upTo);
+  return this->Own->Render(camera, upTo, false).back();
+}
+
+std::vector<NovelView> Synthesis::RenderStages(const Camera& camera, Stage upTo)
+{
+  return this->Own->Render(camera, upTo, true);
 }
 
 vtkSmartPointer<vtkImageData> Synthesis::Texture(vtkPolyData* mesh, const Camera& camera)

@@ -33,9 +33,9 @@ struct SynthesisOptions
   std::string Preset = "best";
 
   // ---- hull
-  double HullSpacingPx = 2.0;                     ///< sample spacing, input pixels
-  std::optional<std::array<double, 6>> HullBox;   ///< x0 y0 z0 x1 y1 z1; found when not given
-  bool HullKeepAll = false;                       ///< keep every component, not only the largest
+  double HullSpacingPx = 2.0;                   ///< sample spacing, input pixels
+  std::optional<std::array<double, 6>> HullBox; ///< x0 y0 z0 x1 y1 z1; found when not given
+  bool HullKeepAll = false;                     ///< keep every component, not only the largest
 
   // ---- outline deformer
   int OutlineIterations = 10;
@@ -47,9 +47,16 @@ struct SynthesisOptions
   int NonOutlineIterations = 10;
   double NonOutlineAlpha = 0.3; ///< weight of the smoothness energy
 
+  // ---- depth maps of the photographs
+  bool UseDepthMaps = false;    ///< estimate them, and let deformers and mapper use them
+  double SilhouettePrior = 0.2; ///< weight of "object" when the outline is decided by them
+
   // ---- texture mapper
-  int References = 3;   ///< photographs blended per pixel
-  double Power = 8.0;   ///< m of the weight W^m
+  int References = 3;           ///< photographs blended per pixel
+  double Power = 8.0;           ///< m of the weight W^m
+  double FeatherPx = 2.0;       ///< a photograph's weight grows over this from its contour inwards
+  double OcclusionSoftness = 0; ///< pixel footprints; 0 = hard
+  int RimSamples = 1;           ///< sub-rays per pixel side at the rim; 1 = no antialiasing
 };
 
 /** The defaults of a preset; throws Error on an unknown name. */
@@ -58,14 +65,14 @@ SynthesisOptions PresetOptions(const std::string& preset);
 /** One line of the RMS tables: state of the refinement after one iteration. */
 struct IterationState
 {
-  Stage Step = Stage::Outline;  ///< which deformer (Outline or Full for the non-outline one)
-  int Iteration = 0;            ///< 0 = before the first move
-  double MeanEnergy = 0;        ///< over the points the deformer moves
-  double MeanPhoto = 0;         ///< photo-consistency term
-  double MeanContour = 0;       ///< contour term (outline) or hull term (non-outline)
-  double MeanSmooth = 0;        ///< smoothness term
+  Stage Step = Stage::Outline; ///< which deformer (Outline or Full for the non-outline one)
+  int Iteration = 0;           ///< 0 = before the first move
+  double MeanEnergy = 0;       ///< over the points the deformer moves
+  double MeanPhoto = 0;        ///< photo-consistency term
+  double MeanContour = 0;      ///< contour term (outline) or hull term (non-outline)
+  double MeanSmooth = 0;       ///< smoothness term
   long PointsMoved = 0;
-  vtkPolyData* Mesh = nullptr;  ///< borrowed; point arrays as the deformers document them
+  vtkPolyData* Mesh = nullptr;   ///< borrowed; point arrays as the deformers document them
   vtkImageData* Image = nullptr; ///< borrowed; the novel view textured with this mesh
 };
 
@@ -96,8 +103,8 @@ struct SynthesisListener
 class Synthesis
 {
 public:
-  Synthesis(vtkMultiBlockDataSet* views, const SynthesisOptions& options,
-    SynthesisListener listener = {});
+  Synthesis(
+    vtkMultiBlockDataSet* views, const SynthesisOptions& options, SynthesisListener listener = {});
   ~Synthesis();
 
   vtkPolyData* Hull();  ///< points with normals
@@ -106,6 +113,9 @@ public:
 
   /** The picture the camera would take, with the geometry refined up to `upTo`. */
   NovelView Render(const Camera& camera, Stage upTo);
+
+  /** The same with the picture after each stage on the way: hull, outline, full. */
+  std::vector<NovelView> RenderStages(const Camera& camera, Stage upTo);
 
   /** The texture mapper alone on any mesh: the oracle, when it is the true one. */
   vtkSmartPointer<vtkImageData> Texture(vtkPolyData* mesh, const Camera& camera);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkNonOutlineDeformer.h"
 
+#include "FieldDeformation.h"
 #include "FilterSupport.h"
 #include "NonOutlineDeformation.h"
 
@@ -26,21 +27,33 @@ int vtkNonOutlineDeformer::RequestData(
         novelview::ReadViews(vtkMultiBlockDataSet::GetData(inputs[1]), needs, 2);
 
       std::vector<std::uint8_t> active = novelview::PointFlags(input, "Visible", 1);
-      const std::vector<std::uint8_t> outline = novelview::PointFlags(input, "OutlineFlag", 0);
-      for (std::size_t ptId = 0; ptId < active.size(); ++ptId)
+      const auto listener = [&](const novelview::DeformationState& state)
+      { this->TellIteration(state, input); };
+      if (this->UseDepthMaps)
       {
-        active[ptId] = active[ptId] && !outline[ptId];
+        novelview::FieldDeformationOptions options;
+        options.Iterations = this->NumberOfIterations;
+        // Points nobody sees are at the rim of what is seen; left behind they would be spikes.
+        std::fill(active.begin(), active.end(), 1);
+        novelview::DeformNonOutlineByField(
+          mesh, active, views, camera, options, listener, novelview::ExecutionFor(this));
       }
-      novelview::NonOutlineOptions options;
-      options.Alpha = this->SmoothWeight;
-      options.Iterations = this->NumberOfIterations;
-      options.SearchPx = this->SearchRange;
-      options.WindowRadius = this->WindowRadius;
-      options.MatchRangePx = this->MatchRange;
-      novelview::DeformNonOutline(
-        mesh, active, views, camera, options,
-        [&](const novelview::DeformationState& state) { this->TellIteration(state, input); },
-        novelview::ExecutionFor(this));
+      else
+      {
+        const std::vector<std::uint8_t> outline = novelview::PointFlags(input, "OutlineFlag", 0);
+        for (std::size_t ptId = 0; ptId < active.size(); ++ptId)
+        {
+          active[ptId] = active[ptId] && !outline[ptId];
+        }
+        novelview::NonOutlineOptions options;
+        options.Alpha = this->SmoothWeight;
+        options.Iterations = this->NumberOfIterations;
+        options.SearchPx = this->SearchRange;
+        options.WindowRadius = this->WindowRadius;
+        options.MatchRangePx = this->MatchRange;
+        novelview::DeformNonOutline(
+          mesh, active, views, camera, options, listener, novelview::ExecutionFor(this));
+      }
       vtkPolyData::GetData(outputs)->ShallowCopy(this->CurrentMesh);
     });
 }

@@ -27,6 +27,11 @@
  * which, unlike a sum of squares, is 0 for unrelated windows; the distance to the hull is read from
  * the silhouette field (the least over the views of the distance to the silhouette's cone).
  *
+ * With UseDepthMaps every point, outline points included, moves on the same line L to where the
+ * views' fused depth maps change from free to solid, balanced with its neighbours
+ * (FieldDeformation.h); `EnergyPhoto` is then the distance to there, `EnergyHull` that to where the
+ * point started, in footprints.
+ *
  * Reference: Chia, He and Lin 2013, section 2.3.
  */
 #ifndef vtkNonOutlineDeformer_h

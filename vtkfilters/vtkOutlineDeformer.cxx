@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkOutlineDeformer.h"
 
+#include "FieldDeformation.h"
 #include "FilterSupport.h"
 #include "OutlineDeformation.h"
 
@@ -25,17 +26,29 @@ int vtkOutlineDeformer::RequestData(
       const std::vector<novelview::View> views =
         novelview::ReadViews(vtkMultiBlockDataSet::GetData(inputs[1]), needs, 2);
 
-      novelview::OutlineOptions options;
-      options.Alpha = this->ContourWeight;
-      options.Beta = this->SmoothWeight;
-      options.Iterations = this->NumberOfIterations;
-      options.SearchPx = this->SearchRange;
-      options.WindowRadius = this->WindowRadius;
-      options.SigmaPx = this->ContourSigma;
-      novelview::DeformOutline(
-        mesh, novelview::PointFlags(input, "Visible", 1), views, camera, options,
-        [&](const novelview::DeformationState& state) { this->TellIteration(state, input); },
-        novelview::ExecutionFor(this));
+      const std::vector<std::uint8_t> visible = novelview::PointFlags(input, "Visible", 1);
+      const auto listener = [&](const novelview::DeformationState& state)
+      { this->TellIteration(state, input); };
+      if (this->UseDepthMaps)
+      {
+        novelview::FieldDeformationOptions options;
+        options.Iterations = this->NumberOfIterations;
+        options.Fusion.SilhouettePrior = this->SilhouettePrior;
+        novelview::DeformOutlineByField(
+          mesh, visible, views, camera, options, listener, novelview::ExecutionFor(this));
+      }
+      else
+      {
+        novelview::OutlineOptions options;
+        options.Alpha = this->ContourWeight;
+        options.Beta = this->SmoothWeight;
+        options.Iterations = this->NumberOfIterations;
+        options.SearchPx = this->SearchRange;
+        options.WindowRadius = this->WindowRadius;
+        options.SigmaPx = this->ContourSigma;
+        novelview::DeformOutline(
+          mesh, visible, views, camera, options, listener, novelview::ExecutionFor(this));
+      }
       vtkPolyData::GetData(outputs)->ShallowCopy(this->CurrentMesh);
     });
 }
@@ -49,4 +62,5 @@ void vtkOutlineDeformer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SearchRange: " << this->SearchRange << "\n";
   os << indent << "WindowRadius: " << this->WindowRadius << "\n";
   os << indent << "ContourSigma: " << this->ContourSigma << "\n";
+  os << indent << "SilhouettePrior: " << this->SilhouettePrior << "\n";
 }

@@ -23,6 +23,11 @@
  * photo energy (the paper does not say); a move that would fold a triangle is shortened to the next
  * best candidate.
  *
+ * With UseDepthMaps the positions come from the views' depth maps instead: outline points move, in
+ * the same plane, onto the contour of the silhouette that the fused maps show to the novel camera,
+ * and the strip they sweep is cut away (FieldDeformation.h); `EnergyPhoto` is then the distance to
+ * that contour in pixels and the other terms are 0.
+ *
  * Reference: Chia, He and Lin 2013, section 2.2.
  */
 #ifndef vtkOutlineDeformer_h
@@ -67,6 +72,15 @@ public:
   vtkGetMacro(ContourSigma, double);
   ///@}
 
+  ///@{
+  /**
+   * With UseDepthMaps: weight of "object" against the photographs' votes when it is decided whether
+   * a ray meets any. Larger values carve less. Default 0.2, range 0 to 10.
+   */
+  vtkSetClampMacro(SilhouettePrior, double, 0.0, 10.0);
+  vtkGetMacro(SilhouettePrior, double);
+  ///@}
+
 protected:
   vtkOutlineDeformer() = default;
   ~vtkOutlineDeformer() override = default;
@@ -80,6 +94,7 @@ protected:
   double SearchRange = 2.0;
   int WindowRadius = 3;
   double ContourSigma = 8.0;
+  double SilhouettePrior = 0.2;
 
 private:
   vtkOutlineDeformer(const vtkOutlineDeformer&) = delete;

@@ -17,23 +17,24 @@
  *                            Label            uint8       1 = inner, 0 = outer ball
  *
  * The power crust: the Delaunay triangulation of the samples and eight far corners; the poles, per
- * sample the farthest vertex of its Voronoi cell and the farthest on the other side; the power
- * diagram of the polar balls; poles labelled inner or outer from the far corners on, most certain
- * first: deeply intersecting balls alike, the two poles of a sample unlike. PowerCrust is the faces
- * between inner and outer cells. DelaunayCrust is the boundary of the Delaunay tetrahedra that are
- * inside: those of poles by their label, others by the ball they agree with best.
+ * sample the farthest vertex of its Voronoi cell and the farthest on the other side; poles labelled
+ * inner or outer from the far corners on, most certain first: deeply intersecting balls alike, the
+ * two poles of a sample unlike. PowerCrust is the faces between inner and outer cells of the polar
+ * balls' power diagram. DelaunayCrust is the boundary of the Delaunay tetrahedra that are inside:
+ * those of poles by their label, others by the ball they agree with best.
  *
  * The surface is always closed, oriented and edge- and vertex-manifold. PowerCrust is by
  * construction. DelaunayCrust is repaired: tetrahedra around irregular samples are turned over, on
  * the side where that costs less volume; what remains is cut apart, by doubling points and, rarely,
  * by adding the midpoint of an edge.
  *
- * Differs from the paper: cospherical poles are merged; normals can help; no ball is discarded for
- * noise; the samples can be the surface's points (DelaunayCrust).
+ * Differs from the paper: labels spread between the poles of neighbouring samples, not of
+ * neighbouring power cells, and a pole sums its evidence; cospherical poles are merged; normals can
+ * help; no ball is discarded for noise; the samples can be the surface's points (DelaunayCrust).
  *
- * Limits: noise must stay below the sampling distance; samples deep under the surface are left
- * out; duplicates count once. The balls of samples on the convex hull that reach outwards without
- * end are not listed.
+ * Limits: noise (standard deviation) must stay below about half the sampling distance; samples
+ * deep under the surface are left out; duplicates count once. The balls of samples on the convex
+ * hull that reach outwards without end are not listed.
  *
  * Errors: less than four points, points not finite, in one plane, or enclosing nothing. No points
  * at all give an empty output.

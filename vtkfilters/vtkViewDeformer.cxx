@@ -151,6 +151,7 @@ void vtkViewDeformer::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   novelview::PrintCamera(os, indent, this->Camera);
   os << indent << "NumberOfIterations: " << this->NumberOfIterations << "\n";
+  os << indent << "UseDepthMaps: " << this->UseDepthMaps << "\n";
   os << indent << "Iteration: " << this->Iteration << "\n";
   os << indent << "PointsMoved: " << this->PointsMoved << "\n";
   os << indent << "MeanEnergy: " << this->MeanEnergy << "\n";

@@ -57,6 +57,16 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Take the positions from the depth maps of the views (arrays `Depth` and `Confidence`, as
+   * vtkReferenceDepthEstimator adds them) instead of the paper's energies. Default off.
+   */
+  vtkSetMacro(UseDepthMaps, bool);
+  vtkGetMacro(UseDepthMaps, bool);
+  vtkBooleanMacro(UseDepthMaps, bool);
+  ///@}
+
+  ///@{
   /** State of the iteration that IterationEvent tells of; of the last one after an update. */
   vtkPolyData* GetCurrentMesh();
   vtkGetMacro(Iteration, int);
@@ -89,6 +99,7 @@ protected:
   vtkSmartPointer<vtkPinholeCamera> Camera;
   vtkSmartPointer<vtkPolyData> CurrentMesh;
   int NumberOfIterations = 10;
+  bool UseDepthMaps = false;
   int Iteration = 0;
   vtkIdType PointsMoved = 0;
   double MeanEnergy = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "OffscreenWindow.h"
 
-#include "Error.h"
+#include "MessageOf.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@
 
 namespace
 {
-using novelview::Error;
+using novelview::MessageOf;
 using novelview::OffscreenWindow;
 
 /** A renderer that shows nothing but its background. */
@@ -35,21 +35,6 @@ vtkSmartPointer<vtkRenderer> Plain(double red, double green, double blue)
 double Value(vtkImageData* image, int x, int y, int channel)
 {
   return image->GetScalarComponentAsDouble(x, y, 0, channel);
-}
-
-/** The message of the Error that `body` throws; empty when it throws none. */
-template <class Body>
-std::string MessageOf(const Body& body)
-{
-  try
-  {
-    body();
-  }
-  catch (const Error& error)
-  {
-    return error.what();
-  }
-  return {};
 }
 
 TEST(OffscreenWindow, DrawsWithoutADisplay)

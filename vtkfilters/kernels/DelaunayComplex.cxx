@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <string>
 
 namespace novelview
@@ -37,6 +36,9 @@ using Triangulation = CGAL::Delaunay_triangulation_3<Kernel, Structure>;
 
 /** How far from the bounding box' centre the far corners are, in diagonals, along each axis. */
 constexpr double CornerDistance = 4;
+
+/** Samples that agree when rounded to this part of the far corners' diagonal count as one. */
+constexpr double DuplicateTolerance = 1e-12;
 
 /** Points whose extent across some plane is below this part of the diagonal count as coplanar. */
 constexpr double FlatnessTolerance = 1e-9;
@@ -113,14 +115,50 @@ std::vector<Eigen::Vector3d> FarCorners(const std::vector<Eigen::Vector3d>& samp
   return corners;
 }
 
+/** The samples that stay when all but the first of those that round alike are dropped. */
+std::vector<std::size_t> DistinctSamples(
+  const std::vector<Eigen::Vector3d>& points, std::size_t numberOfSamples, double resolution)
+{
+  struct Rounded
+  {
+    std::array<double, 3> Cell;
+    std::size_t Id;
+  };
+  std::vector<Rounded> rounded(numberOfSamples);
+  for (std::size_t i = 0; i < numberOfSamples; ++i)
+  {
+    const Eigen::Vector3d cell = ((points[i] - points[0]) / resolution).array().round();
+    // Adding zero turns -0 into 0, so that equal cells compare equal bit for bit too.
+    rounded[i] = { { cell.x() + 0.0, cell.y() + 0.0, cell.z() + 0.0 }, i };
+  }
+  std::sort(rounded.begin(), rounded.end(),
+    [](const Rounded& a, const Rounded& b)
+    { return a.Cell != b.Cell ? a.Cell < b.Cell : a.Id < b.Id; });
+  std::vector<std::size_t> ids;
+  ids.reserve(numberOfSamples);
+  for (std::size_t i = 0; i < numberOfSamples; ++i)
+  {
+    if (i == 0 || rounded[i].Cell != rounded[i - 1].Cell)
+    {
+      ids.push_back(rounded[i].Id);
+    }
+  }
+  std::sort(ids.begin(), ids.end());
+  return ids;
+}
+
 /** Inserts the samples along a space-filling curve, then the corners. Returns the duplicates. */
 int InsertPoints(const std::vector<Eigen::Vector3d>& points, int numberOfSamples,
   const Execution& execution, Triangulation& triangulation)
 {
+  // The last corner less the first one is the cube's diagonal.
+  const double cube =
+    (points.back() - points[points.size() - DelaunayComplex::NumberOfCorners]).norm();
+  std::vector<std::size_t> order =
+    DistinctSamples(points, static_cast<std::size_t>(numberOfSamples), DuplicateTolerance * cube);
+  const int duplicates = numberOfSamples - static_cast<int>(order.size());
   std::vector<Kernel::Point_3> kernelPoints(points.size());
   std::transform(points.begin(), points.end(), kernelPoints.begin(), ToKernel);
-  std::vector<std::size_t> order(static_cast<std::size_t>(numberOfSamples));
-  std::iota(order.begin(), order.end(), std::size_t(0));
   using Map = CGAL::Pointer_property_map<Kernel::Point_3>::type;
   CGAL::spatial_sort(order.begin(), order.end(),
     CGAL::Spatial_sort_traits_adapter_3<Kernel, Map>(CGAL::make_property_map(kernelPoints)));
@@ -129,15 +167,12 @@ int InsertPoints(const std::vector<Eigen::Vector3d>& points, int numberOfSamples
     order.push_back(i);
   }
 
-  int duplicates = 0;
   Triangulation::Vertex_handle hint;
   constexpr std::size_t reportEvery = 1 << 14;
   for (std::size_t i = 0; i < order.size(); ++i)
   {
     hint = triangulation.insert(kernelPoints[order[i]], hint);
-    const int id = static_cast<int>(order[i]);
-    duplicates += hint->info().Value >= 0;
-    hint->info().Value = hint->info().Value >= 0 ? std::min(hint->info().Value, id) : id;
+    hint->info().Value = static_cast<int>(order[i]);
     if (i % reportEvery == 0)
     {
       execution.Report(0.3 * static_cast<double>(i) / static_cast<double>(order.size()));

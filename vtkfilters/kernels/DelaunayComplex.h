@@ -59,7 +59,8 @@ struct DelaunayComplex
  * Triangulates. The far corners are those of the samples' bounding cube, grown to eight times the
  * bounding box' diagonal.
  *
- * The combinatorics are exact. The circumcentre of a tetrahedron so flat that rounding decides
+ * Samples equal to within about ten trillionths of the diagonal count as duplicates. The
+ * combinatorics are exact. The circumcentre of a tetrahedron so flat that rounding decides
  * where it lies is put where the circumcentre of its largest facet is, i.e. near the samples.
  *
  * Throws Error for less than four points, points that are not finite, and points in a plane

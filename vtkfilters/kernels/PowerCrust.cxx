@@ -90,10 +90,7 @@ PowerCrustResult ComputePowerCrust(const std::vector<Eigen::Vector3d>& points,
   }
   const DelaunayComplex complex = BuildDelaunayComplex(points, execution);
   const Poles poles = FindPoles(complex, options.Output == CrustOutput::PowerCrust, execution);
-  const PowerDiagram diagram = BuildPowerDiagram(poles.Balls, execution);
-  execution.Report(0.7);
-  const std::vector<Side> poleLabels = LabelPoles(complex, poles, diagram, normals);
-  std::vector<Side> tetLabels = LabelTets(complex, poles, poleLabels);
+  std::vector<Side> tetLabels = LabelTets(complex, poles.OfSample, normals);
   execution.Report(0.8);
 
   PowerCrustResult result;
@@ -102,6 +99,7 @@ PowerCrustResult ComputePowerCrust(const std::vector<Eigen::Vector3d>& points,
   result.Balls = CollectBalls(poles, ballLabels);
   if (options.Output == CrustOutput::PowerCrust)
   {
+    const PowerDiagram diagram = BuildPowerDiagram(poles.Balls, execution);
     for (std::size_t i = 0; i < ballLabels.size(); ++i)
     {
       ballLabels[i] = diagram.Unbounded[i] ? Side::Outside : ballLabels[i];

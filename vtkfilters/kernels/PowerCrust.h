@@ -67,16 +67,22 @@ struct PowerCrustResult
  *  1. Delaunay triangulation of the samples and eight far corners.
  *  2. Poles: per sample the farthest vertex of its Voronoi cell, and the farthest one on the other
  *     side of the sample.
- *  3. Power diagram of the polar balls (radius = distance to the sample).
- *  4. Poles are labelled inside or outside, most certain first, from the far corners on.
- *  5. PowerCrust: the power-diagram faces between inside and outside, triangulated.
- *     DelaunayCrust: tetrahedra whose circumcentre is a pole take its label, the others that of the
- *     neighbour whose ball theirs agrees with best; small pieces are dropped; tetrahedra are turned
- *     over where the boundary is not manifold; samples just off the surface are brought back; the
- *     boundary is extracted, and what is still not manifold is split.
+ *  3. Poles are labelled inside or outside, most certain first, from the far corners on; the other
+ *     Voronoi vertices follow the one whose ball theirs agrees with best (LabelTets).
+ *  4. PowerCrust: the power diagram of the polar balls (radius = distance to the sample); its faces
+ *     between inside and outside, triangulated.
+ *     DelaunayCrust: small pieces are dropped; tetrahedra are turned over where the boundary is not
+ *     manifold; samples just off the surface are brought back; the boundary of the inside
+ *     tetrahedra is extracted, and what is still not manifold is split.
  *
- * Differs from the paper: poles of cospherical samples are merged; normals may help; no balls are
- * thrown away for noise; the samples themselves can be the vertices.
+ * Differs from the paper: labels spread between the poles of neighbouring samples, not of
+ * neighbouring power cells, and a pole sums all its evidence (see LabelTets), so DelaunayCrust needs
+ * no power diagram; cospherical samples give one pole; normals may help; no balls are thrown away
+ * for noise; the samples themselves can be the vertices.
+ *
+ * Limits: noise of half the sampling distance (standard deviation) is fine; noise of a whole one
+ * breaks the labelling, and the surface is then still a manifold but not the shape. PowerCrust is
+ * not repaired topologically: noise can leave it handles that DelaunayCrust has not.
  *
  * @param points  samples of a closed surface, any order; world units
  * @param normals null, or one outward normal of any length per point (zero or NaN = unknown)

@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <limits>
 #include <queue>
+#include <utility>
 
 namespace novelview
 {
@@ -23,6 +25,139 @@ Side Opposite(Side side)
 }
 
 //------------------------------------------------------------------------------
+/** Collects evidence for both sides of every pole and labels the most certain first. */
+class Labeller
+{
+public:
+  Labeller(const DelaunayComplex& complex, const std::vector<std::array<int, 2>>& polesOfSample)
+    : Complex(complex)
+    , PolesOfSample(polesOfSample)
+    , Labels(complex.Tets.size(), Side::Unknown)
+    , Evidence(complex.Tets.size(), { 0, 0 })
+    , Support(complex.Tets.size(), { 0, 0 })
+    , Visited(polesOfSample.size(), -1)
+  {
+  }
+
+  void AddEvidence(int tet, Side side, double amount)
+  {
+    if (this->Labels[tet] != Side::Unknown || !(amount > 0))
+    {
+      return;
+    }
+    this->Support[tet][side == Side::Outside] += amount * amount * amount;
+    double& old = this->Evidence[tet][side == Side::Outside];
+    if (amount > old)
+    {
+      old = amount;
+      this->Queue.push({ this->Priority(tet), tet });
+    }
+  }
+
+  std::vector<Side> Run()
+  {
+    while (!this->Queue.empty())
+    {
+      const Entry entry = this->Queue.top();
+      this->Queue.pop();
+      if (this->Labels[entry.Tet] == Side::Unknown && entry.Priority == this->Priority(entry.Tet))
+      {
+        const std::array<double, 2>& support = this->Support[entry.Tet];
+        const bool inside = support[0] > support[1] && !this->Complex.TouchesCorner(entry.Tet);
+        this->Labels[entry.Tet] = inside ? Side::Inside : Side::Outside;
+        this->TellOppositePoles(entry.Tet);
+        this->TellNeighbors(entry.Tet);
+      }
+    }
+    return std::move(this->Labels);
+  }
+
+private:
+  struct Entry
+  {
+    double Priority;
+    int Tet;
+    bool operator<(const Entry& other) const
+    {
+      return this->Priority != other.Priority ? this->Priority < other.Priority
+                                              : this->Tet > other.Tet;
+    }
+  };
+
+  double Priority(int tet) const
+  {
+    const auto [in, out] = this->Evidence[tet];
+    return in > 0 && out > 0 ? std::abs(in - out) - 1 : std::max(in, out);
+  }
+
+  void TellOppositePoles(int tet)
+  {
+    for (int sample : this->Complex.Tets[tet])
+    {
+      if (sample >= this->Complex.NumberOfSamples)
+      {
+        continue;
+      }
+      const std::array<int, 2>& pair = this->PolesOfSample[sample];
+      const int other = pair[0] == tet ? pair[1] : (pair[1] == tet ? pair[0] : -1);
+      if (other >= 0)
+      {
+        const Eigen::Vector3d& p = this->Complex.Points[sample];
+        const Eigen::Vector3d a = this->Complex.Centres[tet] - p;
+        const Eigen::Vector3d b = this->Complex.Centres[other] - p;
+        this->AddEvidence(other, Opposite(this->Labels[tet]), -a.dot(b) / (a.norm() * b.norm()));
+      }
+    }
+  }
+
+  /** Tells the poles of all samples that share a Delaunay edge with one of this pole's. */
+  void TellNeighbors(int tet)
+  {
+    for (int sample : this->Complex.Tets[tet])
+    {
+      if (sample >= this->Complex.NumberOfSamples ||
+        (this->PolesOfSample[sample][0] != tet && this->PolesOfSample[sample][1] != tet))
+      {
+        continue;
+      }
+      const int end = this->Complex.IncidenceStart[sample + 1];
+      for (int i = this->Complex.IncidenceStart[sample]; i < end; ++i)
+      {
+        for (int other : this->Complex.Tets[this->Complex.Incidence[i]])
+        {
+          if (other < this->Complex.NumberOfSamples && this->Visited[other] != tet)
+          {
+            this->Visited[other] = tet;
+            this->TellPoles(tet, this->PolesOfSample[other]);
+          }
+        }
+      }
+    }
+  }
+
+  void TellPoles(int tet, const std::array<int, 2>& poles)
+  {
+    for (int other : poles)
+    {
+      if (other >= 0 && this->Labels[other] == Side::Unknown)
+      {
+        this->AddEvidence(other, this->Labels[tet],
+          BallAgreement(this->Complex.Centres[tet], this->Complex.Radii[tet],
+            this->Complex.Centres[other], this->Complex.Radii[other]));
+      }
+    }
+  }
+
+  const DelaunayComplex& Complex;
+  const std::vector<std::array<int, 2>>& PolesOfSample;
+  std::vector<Side> Labels;
+  std::vector<std::array<double, 2>> Evidence; ///< inside, outside: the strongest
+  std::vector<std::array<double, 2>> Support;  ///< inside, outside: sum of the cubes of all
+  std::vector<int> Visited;                    ///< per sample the pole that told its poles last
+  std::priority_queue<Entry> Queue;
+};
+
+//------------------------------------------------------------------------------
 /** A facet over which a label can spread, the strongest first. */
 struct Flow
 {
@@ -35,6 +170,41 @@ struct Flow
                                               : this->Tet > other.Tet;
   }
 };
+
+/** Lets labels spread over facets to all that have none, deepest intersection of balls first. */
+void SpreadLabels(const DelaunayComplex& complex, std::vector<Side>& labels)
+{
+  std::priority_queue<Flow> queue;
+  auto spread = [&](int tet)
+  {
+    for (int other : complex.Neighbors[tet])
+    {
+      if (other >= 0 && labels[other] == Side::Unknown)
+      {
+        queue.push({ BallAgreement(complex.Centres[tet], complex.Radii[tet], complex.Centres[other],
+                       complex.Radii[other]),
+          other, labels[tet] });
+      }
+    }
+  };
+  for (int tet = 0; tet < complex.NumberOfTets(); ++tet)
+  {
+    if (labels[tet] != Side::Unknown)
+    {
+      spread(tet);
+    }
+  }
+  while (!queue.empty())
+  {
+    const Flow flow = queue.top();
+    queue.pop();
+    if (labels[flow.Tet] == Side::Unknown)
+    {
+      labels[flow.Tet] = flow.Label;
+      spread(flow.Tet);
+    }
+  }
+}
 
 //------------------------------------------------------------------------------
 /** The tetrahedra around one sample, grouped by side and connection. */
@@ -298,48 +468,32 @@ std::vector<int> CountPiecePoints(const DelaunayComplex& complex, const std::vec
 }
 
 //------------------------------------------------------------------------------
-std::vector<Side> LabelTets(
-  const DelaunayComplex& complex, const Poles& poles, const std::vector<Side>& poleLabels)
+std::vector<Side> LabelTets(const DelaunayComplex& complex,
+  const std::vector<std::array<int, 2>>& polesOfSample, const std::vector<Eigen::Vector3d>* normals)
 {
-  std::vector<Side> labels(complex.Tets.size(), Side::Unknown);
-  for (std::size_t i = 0; i < poles.Tets.size(); ++i)
+  Labeller labeller(complex, polesOfSample);
+  for (int tet = 0; tet < complex.NumberOfTets(); ++tet)
   {
-    labels[poles.Tets[i]] = poleLabels[i];
-  }
-  std::priority_queue<Flow> queue;
-  auto spread = [&](int tet)
-  {
-    for (int other : complex.Neighbors[tet])
+    if (complex.TouchesCorner(tet))
     {
-      if (other >= 0 && labels[other] == Side::Unknown)
+      labeller.AddEvidence(tet, Side::Outside, 1);
+    }
+  }
+  for (std::size_t s = 0; normals && s < polesOfSample.size(); ++s)
+  {
+    for (int tet : polesOfSample[s])
+    {
+      if (tet >= 0)
       {
-        queue.push({ BallAgreement(complex.Centres[tet], complex.Radii[tet], complex.Centres[other],
-                       complex.Radii[other]),
-          other, labels[tet] });
+        const Eigen::Vector3d d = complex.Centres[tet] - complex.Points[s];
+        const double cosine = d.dot((*normals)[s]) / (d.norm() * (*normals)[s].norm());
+        labeller.AddEvidence(
+          tet, cosine < 0 ? Side::Inside : Side::Outside, std::min(std::abs(cosine), 1.0));
       }
     }
-  };
-  for (int tet = 0; tet < complex.NumberOfTets(); ++tet)
-  {
-    labels[tet] = complex.TouchesCorner(tet) ? Side::Outside : labels[tet];
   }
-  for (int tet = 0; tet < complex.NumberOfTets(); ++tet)
-  {
-    if (labels[tet] != Side::Unknown)
-    {
-      spread(tet);
-    }
-  }
-  while (!queue.empty())
-  {
-    const Flow flow = queue.top();
-    queue.pop();
-    if (labels[flow.Tet] == Side::Unknown)
-    {
-      labels[flow.Tet] = flow.Label;
-      spread(flow.Tet);
-    }
-  }
+  std::vector<Side> labels = labeller.Run();
+  SpreadLabels(complex, labels);
   return labels;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef novelview_PoleLabels_h
-#define novelview_PoleLabels_h
+#ifndef novelview_Poles_h
+#define novelview_Poles_h
 
 #include "DelaunayComplex.h"
 #include "PowerDiagram.h"
@@ -15,13 +15,13 @@ enum class Side : char
   Outside
 };
 
-/** The poles of all samples: circumspheres of the Delaunay tetrahedra, each listed once. */
+/** The poles of all samples: circumspheres of Delaunay tetrahedra, each listed once. */
 struct Poles
 {
   std::vector<int> Tets;     ///< the tetrahedron a pole is the circumcentre of, ascending
   struct Balls Balls;        ///< polar balls, in the same order
   std::vector<char> Certain; ///< 1 when the ball touches a far corner: certainly outside
-  /** Per sample: its two poles, farthest first; -1 where there is none (duplicates). */
+  /** Per sample the tetrahedra of its two poles, farthest first; -1 = none (duplicates). */
   std::vector<std::array<int, 2>> OfSample;
 };
 
@@ -37,23 +37,6 @@ struct Poles
  *   the outside balls leave no gap around the shape, and every inside power cell is bounded.
  */
 Poles FindPoles(const DelaunayComplex& complex, bool allCertain, const Execution& execution);
-
-/**
- * Labels poles inside or outside, most certain first (Amenta, Choi, Kolluri 2001, section 5.1).
- *
- * Balls through a far corner start as outside with evidence 1. A labelled pole
- * passes on evidence: to the other pole of its samples for the opposite side, -cos of the angle
- * between the two at the sample; to its neighbours in the power diagram for the same side, the cos
- * of the angle between the radii where the balls meet. The priority of a pole with evidence for
- * both sides is their difference less one, of others the evidence itself. Ties: lowest pole id.
- *
- * With normals (one per sample, outward, or null) each sample also gives its poles evidence,
- * the |cos| of the angle between its normal and the direction to the pole.
- *
- * Hidden poles that no evidence reaches stay Unknown.
- */
-std::vector<Side> LabelPoles(const DelaunayComplex& complex, const Poles& poles,
-  const PowerDiagram& diagram, const std::vector<Eigen::Vector3d>* normals);
 
 /**
  * The cos of the angle between the radii of two balls at a point where their boundaries meet:

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef novelview_CommandLine_h
+#define novelview_CommandLine_h
+
+#include "Console.h"
+#include "Generator.h"
+#include "Job.h"
+
+#include <filesystem>
+#include <functional>
+
+namespace novelview
+{
+/** What the commands do once their options are known. An empty one is no command. */
+struct Commands
+{
+  std::function<void(const GeneratorOptions&, const std::filesystem::path& out, Console&)> Generate;
+  std::function<void(const Job&, Console&)> Run;
+  std::function<void(const RenderOptions&, Console&)> Render;
+};
+
+/** Exit codes of the program. */
+struct ExitCode
+{
+  static constexpr int Ok = 0;
+  static constexpr int Failed = 1;        ///< the run failed
+  static constexpr int Usage = 2;         ///< bad options or job file
+  static constexpr int Interrupted = 130; ///< stopped by the user, 128 + SIGINT as shells have it
+};
+
+/**
+ * The whole program: parses the words after the program's name, runs one command, says each error
+ * in one line and returns the exit code.
+ */
+int RunCommandLine(int argc, const char* const* argv, const Commands& commands);
+}
+
+#endif

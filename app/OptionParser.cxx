@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "OptionParser.h"
+
+#include <type_traits>
+
+namespace novelview
+{
+namespace
+{
+/** What stands behind the flag in the help, and how many words it takes. */
+struct Shape
+{
+  const char* TypeName = "TEXT";
+  int LeastWords = 1;
+  int MostWords = 1;
+};
+
+struct ShapeOf
+{
+  static constexpr int Many = 1 << 20;
+
+  Shape operator()(const bool*) const { return { "", 0, 0 }; }
+  Shape operator()(const int*) const { return { "INT" }; }
+  Shape operator()(const double*) const { return { "NUMBER" }; }
+  Shape operator()(const std::string*) const { return { "NAME" }; }
+  Shape operator()(const std::filesystem::path*) const { return { "PATH" }; }
+  Shape operator()(const std::optional<double>*) const { return { "NUMBER" }; }
+  Shape operator()(const std::optional<std::array<double, 6>>*) const
+  {
+    return { "NUMBERS", 6, 6 };
+  }
+  Shape operator()(const std::vector<std::string>*) const { return { "NAMES", 1, Many }; }
+  Shape operator()(const std::vector<double>*) const { return { "NUMBERS", 1, Many }; }
+  Shape operator()(const std::vector<int>*) const { return { "INTS", 1, Many }; }
+  Shape operator()(const Stage*) const { return { "STAGE" }; }
+  Shape operator()(const ViewSpec*) const { return { "VIEW" }; }
+  Shape operator()(const SizeTarget&) const { return { "SIZE" }; }
+};
+
+/** Help, unit, range and default in one sentence. */
+std::string HelpText(const Option& option)
+{
+  std::string notes;
+  const auto note = [&notes](const std::string& text)
+  { notes += (notes.empty() ? "" : "; ") + text; };
+  const std::string range = RangeText(option);
+  const std::string value = ValueText(option);
+  if (!option.Unit.empty())
+  {
+    note(option.Unit);
+  }
+  if (!range.empty())
+  {
+    note(range);
+  }
+  note(value.empty() ? "default: none" : "default: " + value);
+  return option.Help + " (" + notes + ")";
+}
+}
+
+void OptionParser::AddTo(CLI::App& command, const OptionTable& table)
+{
+  for (const Option& option : table)
+  {
+    this->Entries.push_back(std::make_unique<Entry>());
+    Entry& entry = *this->Entries.back();
+    entry.Key = option.Key;
+    const std::string flag = FlagOf(option.Key);
+    const Shape shape = std::visit(ShapeOf(), option.Target);
+    CLI::Option* added = nullptr;
+    if (shape.MostWords == 0)
+    {
+      const std::string off = "--no-" + flag.substr(2);
+      added = command.add_flag(flag + ",!" + off, entry.Words, HelpText(option));
+      added->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+    }
+    else
+    {
+      added = command.add_option(flag, entry.Words, HelpText(option));
+      added->type_name(shape.TypeName)->delimiter(',')->expected(shape.LeastWords, shape.MostWords);
+      if (shape.MostWords == 1)
+      {
+        // A view has commas of its own.
+        added->delimiter('\0')->multi_option_policy(CLI::MultiOptionPolicy::Throw);
+      }
+    }
+    added->group(option.Group);
+    entry.Parsed = added;
+  }
+}
+
+GivenOptions OptionParser::Given() const
+{
+  GivenOptions given;
+  for (const auto& entry : this->Entries)
+  {
+    if (entry->Parsed->count() > 0)
+    {
+      given.emplace_back(entry->Key, entry->Words);
+    }
+  }
+  return given;
+}
+}

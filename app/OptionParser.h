@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef novelview_OptionParser_h
+#define novelview_OptionParser_h
+
+#include "Job.h"
+#include "Options.h"
+
+#include <CLI/App.hpp>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace novelview
+{
+/** Makes command-line options of a table, and keeps the words that were given for them. */
+class OptionParser
+{
+public:
+  /** Adds every option with its unit, default and range. Nothing points into the table later. */
+  void AddTo(CLI::App& command, const OptionTable& table);
+
+  /** The options that were given, after the command line has been parsed. */
+  GivenOptions Given() const;
+
+private:
+  struct Entry
+  {
+    std::string Key;
+    std::vector<std::string> Words;
+    const CLI::Option* Parsed = nullptr;
+  };
+
+  // CLI11 writes into the words, so the entries must not move.
+  std::vector<std::unique_ptr<Entry>> Entries;
+};
+}
+
+#endif

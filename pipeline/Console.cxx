@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Console.h"
+
+#include <spdlog/fmt/fmt.h>
+#include <spdlog/sinks/stdout_sinks.h>
+
+#include <algorithm>
+#include <csignal>
+#include <sys/resource.h>
+#include <unistd.h>
+
+namespace novelview
+{
+namespace
+{
+volatile std::sig_atomic_t InterruptRequested = 0;
+
+/** A logger of its own (none of spdlog's global ones) that writes lines as they are. */
+std::shared_ptr<spdlog::logger> LinesTo(std::FILE* file, const char* pattern)
+{
+  using Sink = spdlog::sinks::stdout_sink_base<spdlog::details::console_mutex>;
+  struct FileSink : Sink
+  {
+    explicit FileSink(std::FILE* to)
+      : Sink(to)
+    {
+    }
+  };
+  auto logger = std::make_shared<spdlog::logger>("novelview", std::make_shared<FileSink>(file));
+  logger->set_pattern(pattern);
+  logger->flush_on(spdlog::level::trace);
+  return logger;
+}
+}
+
+Console::Console(Verbosity verbosity, std::FILE* out, std::FILE* err)
+  : Out(LinesTo(out, "%v"))
+  , Err(LinesTo(err, "novelview: %l: %v"))
+{
+  this->Out->set_level(verbosity == Verbosity::Quiet
+      ? spdlog::level::off
+      : (verbosity == Verbosity::Verbose ? spdlog::level::debug : spdlog::level::info));
+  if (verbosity != Verbosity::Quiet && ::isatty(::fileno(out)))
+  {
+    this->Terminal = out;
+  }
+}
+
+Console::~Console()
+{
+  this->ClearBar();
+}
+
+bool Console::Progress(const std::string& what, double fraction)
+{
+  if (this->Terminal)
+  {
+    constexpr int width = 30;
+    fraction = std::clamp(fraction, 0.0, 1.0);
+    const int full = static_cast<int>(fraction * width);
+    const std::string bar = fmt::format(
+      "[{:#<{}}{:.<{}}] {:3.0f} % {}", "", full, "", width - full, 100 * fraction, what);
+    if (bar != this->Bar)
+    {
+      std::fprintf(this->Terminal, "\r\x1b[K%s", bar.c_str());
+      std::fflush(this->Terminal);
+      this->Bar = bar;
+    }
+  }
+  return !Interrupted();
+}
+
+void Console::ClearBar()
+{
+  if (this->Terminal && !this->Bar.empty())
+  {
+    std::fputs("\r\x1b[K", this->Terminal);
+    std::fflush(this->Terminal);
+    this->Bar.clear();
+  }
+}
+
+void Console::StageDone(const std::string& stage, double seconds)
+{
+  const auto known = std::find_if(this->Stages.begin(), this->Stages.end(),
+    [&stage](const auto& each) { return each.first == stage; });
+  if (known == this->Stages.end())
+  {
+    this->Stages.emplace_back(stage, seconds);
+  }
+  else
+  {
+    known->second += seconds;
+  }
+  this->Info(fmt::format("{} done in {:.2f} s", stage, seconds));
+}
+
+void Console::Info(const std::string& text)
+{
+  this->ClearBar();
+  this->Out->info(text);
+}
+
+void Console::Detail(const std::string& text)
+{
+  this->ClearBar();
+  this->Out->debug(text);
+}
+
+void Console::Warn(const std::string& text)
+{
+  this->ClearBar();
+  this->Err->warn(text);
+}
+
+void Console::Error(const std::string& text)
+{
+  this->ClearBar();
+  this->Err->error(text);
+}
+
+void Console::Summary()
+{
+  const std::chrono::duration<double> whole = std::chrono::steady_clock::now() - this->Start;
+  for (const auto& [stage, seconds] : this->Stages)
+  {
+    this->Info(fmt::format("  {:<24} {:8.2f} s", stage, seconds));
+  }
+  this->Info(fmt::format("  {:<24} {:8.2f} s", "whole run", whole.count()));
+  this->Info(fmt::format("  {:<24} {:8.0f} MiB", "peak memory", PeakMemoryMiB()));
+}
+
+void Console::Interrupt()
+{
+  InterruptRequested = 1;
+}
+
+bool Console::Interrupted()
+{
+  return InterruptRequested != 0;
+}
+
+double PeakMemoryMiB()
+{
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024; // Linux counts in KiB
+}
+}

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef novelview_Console_h
+#define novelview_Console_h
+
+#include <spdlog/logger.h>
+
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace novelview
+{
+enum class Verbosity
+{
+  Quiet,  ///< warnings and errors
+  Normal, ///< and progress, stages, results
+  Verbose ///< and details
+};
+
+/**
+ * What a program tells its user: messages and progress on `out`, warnings and errors on `err`, one
+ * line each. On a terminal progress is a bar that moves on its line; otherwise only whole lines are
+ * written, one when a stage ends. For the main thread only.
+ */
+class Console
+{
+public:
+  explicit Console(Verbosity verbosity, std::FILE* out = stdout, std::FILE* err = stderr);
+  ~Console();
+
+  /** Something has been worked on up to a fraction, 0 to 1. Returns false after Interrupt(). */
+  bool Progress(const std::string& what, double fraction);
+  /** A stage has ended. */
+  void StageDone(const std::string& stage, double seconds);
+
+  void Info(const std::string& text);
+  void Detail(const std::string& text);
+  void Warn(const std::string& text);
+  void Error(const std::string& text);
+
+  /** The seconds of every stage so far, in the order of their ends; a stage that ran again adds
+   * up. */
+  const std::vector<std::pair<std::string, double>>& StageSeconds() const { return this->Stages; }
+  /** Says the time of every stage, the whole time and the peak memory. */
+  void Summary();
+
+  /** Asks every Console to stop its program; may be called by a signal handler. */
+  static void Interrupt();
+  static bool Interrupted();
+
+private:
+  void ClearBar();
+
+  std::shared_ptr<spdlog::logger> Out;
+  std::shared_ptr<spdlog::logger> Err;
+  std::FILE* Terminal = nullptr; ///< where the bar is drawn; null = nowhere
+  std::string Bar;               ///< as drawn last
+  std::vector<std::pair<std::string, double>> Stages;
+  std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
+};
+
+/** The most memory this process has held so far, in MiB. */
+double PeakMemoryMiB();
+}
+
+#endif

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Job.h"
+
+#include "AtomicFile.h"
+#include "UsageError.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace novelview
+{
+namespace fs = std::filesystem;
+namespace
+{
+constexpr double NoLimit = std::numeric_limits<double>::infinity();
+constexpr double ByteMost = 255;
+
+void Append(OptionTable& table, OptionTable more)
+{
+  table.insert(table.end(), more.begin(), more.end());
+}
+
+OptionTable OptionsOf(JobInput& input)
+{
+  const char* const group = "Photographs";
+  return {
+    { "dataset", "folder of the photographs, in the Middlebury layout", "", group, &input.Dataset },
+    { "calibration", "calibration file; found when the folder holds just one *_par.txt", "", group,
+      &input.ParFile },
+    { "exclude", "photographs to leave out", "", group, &input.Exclude },
+    { "forceSilhouettes", "extract silhouettes although there are masks", "", group,
+      &input.ForceSilhouettes },
+    { "silhouetteLevel",
+      "difference from the background that is object; chosen from the photograph when not given",
+      "levels", group, &input.Silhouette.Level, 0, ByteMost },
+    { "silhouetteClosing", "gaps of up to twice this are closed", "px", group,
+      &input.Silhouette.ClosingPx, 0, 100 },
+    { "silhouetteSmallHole", "smaller holes are filled", "part of the object", group,
+      &input.Silhouette.SmallHole, 0, 1 },
+    { "silhouetteIgnoreShadows", "leave out shadows cast on a coloured background", "", group,
+      &input.Silhouette.IgnoreShadows },
+  };
+}
+
+Option ThreadsOption(int& threads)
+{
+  // The result is the same with any number, so a written job does not hold it.
+  return { "threads", "threads to use; 0 = one per core", "", "Program", &threads, 0, 1024, {},
+    false };
+}
+
+Option StageOption(Stage& upTo)
+{
+  return { "stage", "how far the geometry is refined", "", "Method", &upTo };
+}
+
+const Option& Find(const OptionTable& table, const std::string& key)
+{
+  const auto found = std::find_if(
+    table.begin(), table.end(), [&key](const Option& option) { return option.Key == key; });
+  if (found == table.end())
+  {
+    throw UsageError(FlagOf(key), "is no option of this command");
+  }
+  return *found;
+}
+
+/** Sets the stage options to a preset's, if there is a preset of this name. */
+void ApplyPreset(SynthesisOptions& options, const std::string& preset)
+{
+  SetFromText(Find(OptionsOf(options), "preset"), { preset });
+  options = PresetOptions(preset);
+}
+
+/** Layers preset, job file and command line; see MakeJob(). */
+template <class Options>
+Options Layered(const fs::path& dataset, const GivenOptions& given)
+{
+  Options options;
+  const OptionTable table = OptionsOf(options);
+  ApplyPreset(options.Synthesis, options.Synthesis.Preset);
+  std::error_code failure;
+  if (fs::is_regular_file(dataset, failure))
+  {
+    const nlohmann::ordered_json object = ReadJsonFile(dataset);
+    if (object.contains("preset"))
+    {
+      const OptionTable preset{ Find(table, "preset") };
+      SetFromJson(preset, { { "preset", object["preset"] } }, {}, dataset.string());
+      ApplyPreset(options.Synthesis, std::string(options.Synthesis.Preset));
+    }
+    SetFromJson(table, object, fs::absolute(dataset).parent_path(), dataset.string());
+  }
+  else
+  {
+    options.Input.Dataset = dataset;
+  }
+  for (const auto& [key, words] : given)
+  {
+    if (key == "preset" && words.size() == 1)
+    {
+      ApplyPreset(options.Synthesis, words.front());
+    }
+  }
+  for (const auto& [key, words] : given)
+  {
+    SetFromText(Find(table, key), words);
+  }
+  if (options.Input.Dataset.empty())
+  {
+    throw UsageError(dataset.empty() ? "data set" : dataset.string(), "no data set given");
+  }
+  if (options.Out.empty())
+  {
+    throw UsageError("--out", "no folder for the results given");
+  }
+  return options;
+}
+}
+
+OptionTable OptionsOf(SynthesisOptions& options)
+{
+  const char* const hull = "Visual hull";
+  const char* const outline = "Outline deformer";
+  const char* const nonOutline = "Non-outline deformer";
+  const char* const depth = "Depth maps";
+  const char* const texture = "Texture mapper";
+  return {
+    { "preset", "defaults of all stage options: the paper's, or what gives the best pictures", "",
+      "Method", &options.Preset, -NoLimit, NoLimit, { "best", "paper" } },
+    { "hullSpacing", "distance between surface samples, in the photographs", "px", hull,
+      &options.HullSpacingPx, 0.25, 64 },
+    { "hullBox", "search box x0,y0,z0,x1,y1,z1; found from the silhouettes when not given",
+      "world units", hull, &options.HullBox },
+    { "hullKeepAll", "keep every component, not only the largest", "", hull, &options.HullKeepAll },
+    { "outlineIterations", "most rounds of moves", "", outline, &options.OutlineIterations, 0,
+      1000 },
+    { "outlineAlpha", "weight of the contour energy", "", outline, &options.OutlineAlpha, 0, 100 },
+    { "outlineBeta", "weight of the smoothness energy", "", outline, &options.OutlineBeta, 0, 100 },
+    { "outlineSearch", "how far to either side a point may look", "px", outline,
+      &options.OutlineSearchPx, 0.25, 50 },
+    { "nonOutlineIterations", "most rounds of moves", "", nonOutline, &options.NonOutlineIterations,
+      0, 1000 },
+    { "nonOutlineAlpha", "weight of the smoothness energy", "", nonOutline,
+      &options.NonOutlineAlpha, 0, 100 },
+    { "depthMaps",
+      "find the surface by a depth map in every photograph, not by the paper's energies", "", depth,
+      &options.UseDepthMaps },
+    { "silhouettePrior", "weight of 'object' against the depth maps' votes at the outline", "",
+      depth, &options.SilhouettePrior, 0, 10 },
+    { "references", "photographs blended per pixel", "", texture, &options.References, 1, 64 },
+    { "power", "m of the blending weight cos(angle)^m", "", texture, &options.Power, 0, 64 },
+    { "feather", "a photograph's weight grows over this from its silhouette's border inwards", "px",
+      texture, &options.FeatherPx, 0.01, 100 },
+    { "occlusionSoftness", "softness of the occlusion test; 0 = hard", "pixel footprints", texture,
+      &options.OcclusionSoftness, 0, 100 },
+    { "rimSamples", "sub-rays per pixel side at the rim, odd; 1 = no antialiasing", "", texture,
+      &options.RimSamples, 1, 9 },
+  };
+}
+
+OptionTable OptionsOf(Job& job)
+{
+  const char* const run = "Run";
+  OptionTable table = {
+    { "view", "novel view: between:A,B[,FRACTION], like:IMAGE or file:PAR.txt#NAME", "", run,
+      &job.View },
+    { "out", "folder for the results", "", run, &job.Out },
+    { "truth", "true picture of the novel view, to compare with", "", run, &job.Truth },
+    { "truthMask", "silhouette of the true picture", "", run, &job.TruthMask },
+    { "trueMesh", "true mesh, to tell how good the picture could be", "", run, &job.TrueMesh },
+    { "iterations", "write picture, mesh and scores of every iteration", "", run,
+      &job.WriteIterations },
+    { "screenshots", "write a picture of the scene for every iteration, too", "", run,
+      &job.Screenshots },
+    StageOption(job.UpTo),
+  };
+  Append(table, OptionsOf(job.Synthesis));
+  Append(table, OptionsOf(job.Input));
+  table.push_back(ThreadsOption(job.Threads));
+  return table;
+}
+
+OptionTable OptionsOf(RenderOptions& options)
+{
+  OptionTable table = {
+    { "cameras", "calibration file of the views to make", "", "Render", &options.Cameras },
+    { "out", "folder for the pictures NAME and mask/NAME", "", "Render", &options.Out },
+    StageOption(options.UpTo),
+  };
+  Append(table, OptionsOf(options.Synthesis));
+  Append(table, OptionsOf(options.Input));
+  table.push_back(ThreadsOption(options.Threads));
+  return table;
+}
+
+OptionTable OptionsOf(GeneratorOptions& options)
+{
+  const char* const object = "Object";
+  const char* const rig = "Rig";
+  const char* const faults = "Imperfections";
+  return {
+    { "mesh", "built-in object or a ply, obj, stl or vtp file; the Stanford bunny when not given",
+      "", object, &options.Mesh },
+    { "texture", "solid texture", "", object, &options.Texture, -NoLimit, NoLimit,
+      { "wood", "marble", "checker", "plaster", "grey" } },
+    { "lit", "mild light fixed to the world instead of colours alone", "", object, &options.Lit },
+    { "seed", "moves the texture and draws the noise", "", object, &options.Seed },
+    { "views", "photographs", "", rig, &options.Views, 1, 10000 },
+    { "step", "angle between neighbouring cameras", "deg", rig, &options.StepDeg, -360, 360 },
+    { "elevation", "cameras above the horizon", "deg", rig, &options.ElevationDeg, -90, 90 },
+    { "size", "size of the photographs, WIDTHxHEIGHT", "px", rig,
+      SizeTarget{ &options.Width, &options.Height }, 16, 16384 },
+    { "fieldOfView", "vertical field of view", "deg", rig, &options.FieldOfViewDeg, 1, 150 },
+    { "fill", "share of the frame that the object's larger extent takes", "", rig, &options.Fill,
+      0.01, 10 },
+    { "supersampling", "samples per pixel and axis", "", rig, &options.Supersampling, 1, 16 },
+    { "testAngles", "held-out views on the same circle", "deg", rig, &options.TestAnglesDeg },
+    { "gainSpread", "brightness of each photograph is off by up to this share", "", faults,
+      &options.GainSpread, 0, 1 },
+    { "noise", "sigma of the noise of every pixel and channel", "levels", faults,
+      &options.NoiseSigma, 0, ByteMost },
+    { "calibrationNoise", "written rotations are off by about this", "px", faults,
+      &options.CalibrationNoisePx, 0, 1000 },
+    { "maskErode", "masks shrunk by this; negative: grown", "px", faults, &options.MaskErodePx,
+      -1000, 1000 },
+    { "maskErodeViews", "which masks; all when not given", "", faults, &options.MaskErodeViews, 0,
+      NoLimit },
+    { "frameShift", "object's centre off the frame's, as a share of its width", "", faults,
+      &options.FrameShift, -1, 1 },
+    { "frameShiftViews", "in which photographs; every third when not given", "", faults,
+      &options.FrameShiftViews, 0, NoLimit },
+    { "shadowViews", "photographs in which a shadow lies on the object", "", faults,
+      &options.ShadowViews, 0, NoLimit },
+    { "shadowDarkness", "share of the light that the shadow takes away", "", faults,
+      &options.ShadowDarkness, 0, 1 },
+    { "masks", "masks to write", "", faults, &options.Masks, -NoLimit, NoLimit,
+      { "exact", "threshold", "none" } },
+  };
+}
+
+Job MakeJob(const fs::path& dataset, const GivenOptions& given)
+{
+  Job job = Layered<Job>(dataset, given);
+  if (job.View.What == ViewSpec::Kind::None)
+  {
+    throw UsageError("--view", "no novel view given");
+  }
+  if (job.Truth.empty() && !job.TruthMask.empty())
+  {
+    throw UsageError("--truth-mask", "is of no use without --truth");
+  }
+  return job;
+}
+
+RenderOptions MakeRenderOptions(const fs::path& dataset, const GivenOptions& given)
+{
+  RenderOptions options = Layered<RenderOptions>(dataset, given);
+  if (options.Cameras.empty())
+  {
+    throw UsageError("--cameras", "no calibration file of the views given");
+  }
+  return options;
+}
+
+void WriteJob(const Job& job, const fs::path& path)
+{
+  Job copy = job;
+  copy.Out = fs::absolute(path).parent_path();
+  WriteTextAtomically(path, ToJson(OptionsOf(copy), copy.Out).dump(2) + "\n");
+}
+}

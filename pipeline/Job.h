@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/** What a run of the program does: everything that `novelview run` and `render` can be told. */
+#ifndef novelview_Job_h
+#define novelview_Job_h
+
+#include "Generator.h"
+#include "Options.h"
+#include "Silhouette.h"
+#include "Synthesis.h"
+#include "ViewSpec.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace novelview
+{
+/** The photographs and how they are read. */
+struct JobInput
+{
+  std::filesystem::path Dataset;    ///< folder in the Middlebury layout
+  std::filesystem::path ParFile;    ///< empty = the folder's only *_par.txt
+  std::vector<std::string> Exclude; ///< photographs to leave out
+  bool ForceSilhouettes = false;    ///< extract silhouettes although there are masks
+  SilhouetteOptions Silhouette;
+};
+
+/** One novel view with everything that is reported about it: `novelview run`. */
+struct Job
+{
+  JobInput Input;
+  ViewSpec View;
+  std::filesystem::path Out;
+  std::filesystem::path Truth;     ///< picture to compare with; empty = what the view implies
+  std::filesystem::path TruthMask; ///< its silhouette; empty = what lies in mask/ beside it
+  std::filesystem::path TrueMesh;  ///< for the oracle; empty = none
+  Stage UpTo = Stage::Full;
+  bool WriteIterations = true; ///< novel view, mesh and scores of every iteration
+  bool Screenshots = true;     ///< and a picture of the scene
+  int Threads = 0;             ///< 0 = one per core
+  SynthesisOptions Synthesis;
+};
+
+/** Many novel views from one hull and crust: `novelview render`. */
+struct RenderOptions
+{
+  JobInput Input;
+  std::filesystem::path Cameras; ///< calibration file of the views to make
+  std::filesystem::path Out;     ///< gets NAME and mask/NAME of each
+  Stage UpTo = Stage::Full;
+  int Threads = 0;
+  SynthesisOptions Synthesis;
+};
+
+/** The tables: what the options are called, their help, units and ranges. */
+OptionTable OptionsOf(SynthesisOptions& options);
+OptionTable OptionsOf(Job& job);
+OptionTable OptionsOf(RenderOptions& options);
+OptionTable OptionsOf(GeneratorOptions& options);
+
+/** Words of a command line by the key of their option, in the order given. */
+using GivenOptions = std::vector<std::pair<std::string, std::vector<std::string>>>;
+
+/**
+ * A job from what was given: `dataset` is a folder, or a JSON file that holds any of the options
+ * ("dataset" among them). What the command line says goes over what the file says, which goes over
+ * the preset. A preset on the command line replaces all stage options of the file.
+ * Throws UsageError, also when data set, view or out folder are missing.
+ */
+Job MakeJob(const std::filesystem::path& dataset, const GivenOptions& given);
+RenderOptions MakeRenderOptions(const std::filesystem::path& dataset, const GivenOptions& given);
+
+/**
+ * Writes every option of the job that can change its result, so that running the file does the same
+ * again: out is ".", the folder of the file; other paths are absolute.
+ */
+void WriteJob(const Job& job, const std::filesystem::path& path);
+}
+
+#endif

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "RunCommand.h"
+
+#include "AtomicFile.h"
+#include "Error.h"
+#include "ImageFile.h"
+#include "Metrics.h"
+#include "ObjectMesh.h"
+#include "RunReport.h"
+#include "Silhouette.h"
+#include "Threads.h"
+#include "ViewAccess.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace novelview
+{
+namespace fs = std::filesystem;
+
+namespace
+{
+/** Makes the out folder and proves that it can be written before any work is done. */
+void PrepareFolder(const fs::path& folder)
+{
+  WriteTextAtomically(folder / ".novelview", "");
+  fs::remove(folder / ".novelview");
+}
+
+Dataset ReadInput(
+  const JobInput& input, const DatasetIndex& index, const std::string& heldOut, Console& console)
+{
+  DatasetOptions options;
+  options.Exclude = input.Exclude;
+  options.ForceSilhouettes = input.ForceSilhouettes;
+  options.Silhouette = input.Silhouette;
+  if (!heldOut.empty() &&
+    std::find(options.Exclude.begin(), options.Exclude.end(), heldOut) == options.Exclude.end())
+  {
+    options.Exclude.push_back(heldOut);
+  }
+  console.Progress("reading photographs", 0);
+  Dataset dataset = ReadDataset(index, options);
+  for (const std::string& warning : dataset.Warnings)
+  {
+    console.Warn(warning);
+  }
+  return dataset;
+}
+
+SynthesisListener ListenerFor(Console& console)
+{
+  SynthesisListener listener;
+  listener.Progress = [&console](const std::string& stage, double fraction)
+  { return console.Progress(stage, fraction); };
+  listener.StageDone = [&console](const std::string& stage, double seconds)
+  { console.StageDone(stage, seconds); };
+  listener.Warn = [&console](const std::string& text) { console.Warn(text); };
+  return listener;
+}
+
+/** The picture to compare with, arrays Color and Mask; null when there is none. */
+vtkSmartPointer<vtkImageData> ReadTruth(const Job& job, const ResolvedView& view)
+{
+  const fs::path picture = job.Truth.empty() ? view.Truth : job.Truth;
+  if (picture.empty())
+  {
+    return nullptr;
+  }
+  fs::path maskFile = job.TruthMask;
+  if (maskFile.empty())
+  {
+    maskFile = job.Truth.empty() ? view.TruthMask
+                                 : MaskFileOf(picture.parent_path(), picture.filename().string());
+  }
+  const Image<std::uint8_t> color = ReadColorFile(picture);
+  if (color.Width != view.Cam.Width || color.Height != view.Cam.Height)
+  {
+    throw Error(picture.string(), "the truth is not of the novel view's size",
+      SizeText(color.Width, color.Height), SizeText(view.Cam.Width, view.Cam.Height));
+  }
+  const Image<std::uint8_t> mask = maskFile.empty()
+    ? ExtractSilhouette(color.Ref(), job.Input.Silhouette)
+    : ReadGreyFile(maskFile);
+  auto image = NewImage(color.Width, color.Height);
+  SetPixels(image, arrays::Color, color.Ref());
+  SetPixels(image, arrays::Mask, mask.Ref());
+  return image;
+}
+
+std::string ScoreLine(const std::string& name, const std::optional<Scores>& scores)
+{
+  if (!scores)
+  {
+    return name;
+  }
+  char text[160];
+  std::snprintf(text, sizeof(text),
+    "%-8s RMS %6.2f  PSNR %5.2f dB  SSIM %.4f  IoU %.4f  missing %.4f  excess %.4f", name.c_str(),
+    scores->Rms, scores->Psnr, scores->Ssim, scores->Iou, scores->Missing, scores->Excess);
+  return text;
+}
+
+/** The oracle: the texture mapper on the true mesh. */
+void AddOracle(const Job& job, const Camera& camera, Synthesis& synthesis, RunReport& report)
+{
+  if (!job.TrueMesh.empty())
+  {
+    const auto mesh = LoadObject(job.TrueMesh.string());
+    NovelView oracle;
+    oracle.Image = synthesis.Texture(mesh, camera);
+    report.AddStage("oracle", oracle);
+  }
+}
+}
+
+void RunJob(const Job& job, Console& console)
+{
+  SetNumberOfThreads(job.Threads);
+  const DatasetIndex index = ReadDatasetIndex(job.Input.Dataset, job.Input.ParFile);
+  const ResolvedView view = ResolveViewSpec(job.View, index);
+  ValidateCamera(view.Cam, "novel camera");
+  PrepareFolder(job.Out);
+  const auto truth = ReadTruth(job, view);
+  const Dataset dataset = ReadInput(job.Input, index, view.HeldOut, console);
+
+  RunReport report(job.Out, truth);
+  DesktopState desktop;
+  desktop.Title = ViewSpecText(job.View) + " of " + index.Folder.filename().string();
+  desktop.Views = dataset.Views;
+  desktop.Novel = view.Cam;
+  SynthesisListener listener = ListenerFor(console);
+  if (job.WriteIterations)
+  {
+    listener.Iteration = [&](const IterationState& state)
+    { report.AddIteration(state, job.Screenshots ? &desktop : nullptr); };
+  }
+  Synthesis synthesis(dataset.Views, job.Synthesis, listener);
+  const std::vector<NovelView> stages = synthesis.RenderStages(view.Cam, job.UpTo);
+  for (std::size_t i = 0; i < stages.size(); ++i)
+  {
+    report.AddStage(StageName(static_cast<Stage>(i)), stages[i]);
+  }
+  AddOracle(job, view.Cam, synthesis, report);
+  report.WriteMesh("visual_hull", synthesis.Hull());
+  report.WriteMesh("power_crust", synthesis.Crust());
+  report.WriteMesh("medial_balls", synthesis.MedialBalls());
+  report.WriteNovel(stages.back().Image);
+  report.Finish(desktop.Title);
+  WriteJob(job, job.Out / "job.json");
+
+  for (const auto& [name, scores] : report.Stages())
+  {
+    console.Info(ScoreLine(name, scores));
+  }
+  console.Info("novel view: " + (job.Out / "novel.png").string());
+  console.Summary();
+}
+
+void RenderJob(const RenderOptions& options, Console& console)
+{
+  SetNumberOfThreads(options.Threads);
+  const DatasetIndex index = ReadDatasetIndex(options.Input.Dataset, options.Input.ParFile);
+  const std::vector<NamedCamera> cameras = ReadCameras(options.Cameras);
+  PrepareFolder(options.Out);
+  const Dataset dataset = ReadInput(options.Input, index, "", console);
+  Synthesis synthesis(dataset.Views, options.Synthesis, ListenerFor(console));
+  for (const NamedCamera& camera : cameras)
+  {
+    ViewSpec spec;
+    spec.What = ViewSpec::Kind::File;
+    spec.ParFile = options.Cameras;
+    spec.Name = camera.Name;
+    const ResolvedView view = ResolveViewSpec(spec, index);
+    ValidateCamera(view.Cam, camera.Name);
+    const NovelView novel = synthesis.Render(view.Cam, options.UpTo);
+    WriteArray(options.Out / camera.Name, novel.Image, arrays::Color);
+    WriteArray(options.Out / "mask" / camera.Name, novel.Image, arrays::Mask);
+    console.Info((options.Out / camera.Name).string());
+  }
+  console.Summary();
+}
+}

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef novelview_RunCommand_h
+#define novelview_RunCommand_h
+
+#include "Console.h"
+#include "Job.h"
+
+namespace novelview
+{
+/**
+ * `novelview run`: one novel view with everything that is reported about it, into job.Out. Throws
+ * Error, and Interrupted when the console asks for a stop.
+ */
+void RunJob(const Job& job, Console& console);
+
+/** `novelview render`: many views from one hull and crust, into options.Out. Throws the same. */
+void RenderJob(const RenderOptions& options, Console& console);
+}
+
+#endif

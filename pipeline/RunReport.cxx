@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "RunReport.h"
+
+#include "AtomicFile.h"
+#include "Error.h"
+#include "ImageFile.h"
+#include "ViewAccess.h"
+
+#include <nlohmann/json.hpp>
+
+#include <vtkNew.h>
+#include <vtkXMLPolyDataWriter.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace novelview
+{
+namespace fs = std::filesystem;
+
+namespace
+{
+/** Shortest text that reads back as the same number. */
+std::string Text(double value)
+{
+  return nlohmann::json(value).dump();
+}
+
+std::string IterationName(Stage step, int iteration)
+{
+  char name[64];
+  std::snprintf(
+    name, sizeof(name), "%s_%02d", step == Stage::Outline ? "outline" : "nonoutline", iteration);
+  return name;
+}
+
+/** Pixels of the object that no photograph sees, 255. */
+Image<std::uint8_t> UnseenMap(vtkImageData* image)
+{
+  const auto mask = TopDownArray<const unsigned char>(image, arrays::Mask, 1, "novel view", true);
+  const auto seen = TopDownArray<const unsigned char>(image, arrays::Seen, 1, "novel view", true);
+  Image<std::uint8_t> unseen(mask.Width, mask.Height);
+  for (int y = 0; y < mask.Height; ++y)
+  {
+    for (int x = 0; x < mask.Width; ++x)
+    {
+      unseen(x, y) = mask(x, y) && !seen(x, y) ? 255 : 0;
+    }
+  }
+  return unseen;
+}
+
+nlohmann::ordered_json ScoresJson(const Scores& scores)
+{
+  return { { "rms", scores.Rms }, { "psnr", scores.Psnr }, { "ssim", scores.Ssim },
+    { "iou", scores.Iou }, { "missing", scores.Missing }, { "excess", scores.Excess } };
+}
+
+/** Error map as a grey picture, a level of error a level of grey, four times as bright. */
+Image<std::uint8_t> ErrorPicture(vtkImageData* image, vtkImageData* truth)
+{
+  const Image<float> error =
+    ErrorMap(MaskedPictureOf(image, "novel view"), MaskedPictureOf(truth, "truth"));
+  Image<std::uint8_t> picture(error.Width, error.Height);
+  std::transform(error.Values.begin(), error.Values.end(), picture.Values.begin(),
+    [](float value) { return static_cast<std::uint8_t>(std::min(4 * value, 255.f)); });
+  return picture;
+}
+}
+
+std::string StageName(Stage stage)
+{
+  switch (stage)
+  {
+    case Stage::Hull:
+      return "hull";
+    case Stage::Outline:
+      return "outline";
+    case Stage::Full:
+      break;
+  }
+  return "full";
+}
+
+RunReport::RunReport(fs::path folder, vtkImageData* truth)
+  : Folder(std::move(folder))
+  , Truth(truth)
+{
+}
+
+std::optional<Scores> RunReport::ScoreOf(vtkImageData* image) const
+{
+  if (!this->Truth)
+  {
+    return std::nullopt;
+  }
+  return Compare(MaskedPictureOf(image, "novel view"), MaskedPictureOf(this->Truth, "truth"));
+}
+
+void RunReport::AddStage(const std::string& name, const NovelView& view)
+{
+  const fs::path stem = this->Folder / "stages" / name;
+  WriteArray(stem.string() + ".png", view.Image, arrays::Color);
+  WriteArray(stem.string() + "_mask.png", view.Image, arrays::Mask);
+  if (this->Truth)
+  {
+    const Image<std::uint8_t> error = ErrorPicture(view.Image, this->Truth);
+    WriteImageFile(stem.string() + "_error.png", error.Ref());
+  }
+  if (view.Mesh)
+  {
+    this->WriteMesh(name, view.Mesh);
+  }
+  this->StageScores.emplace_back(name, this->ScoreOf(view.Image));
+}
+
+void RunReport::WriteNovel(vtkImageData* image) const
+{
+  WriteArray(this->Folder / "novel.png", image, arrays::Color);
+  WriteArray(this->Folder / "novel_mask.png", image, arrays::Mask);
+  WriteArray(this->Folder / "novel_depth.tiff", image, arrays::Depth);
+  const Image<std::uint8_t> unseen = UnseenMap(image);
+  WriteImageFile(this->Folder / "novel_unseen.png", unseen.Ref());
+  if (this->Truth)
+  {
+    WriteArray(this->Folder / "truth.png", this->Truth, arrays::Color);
+  }
+}
+
+void RunReport::WriteMesh(const std::string& name, vtkPolyData* mesh) const
+{
+  WriteAtomically(this->Folder / "meshes" / (name + ".vtp"),
+    [mesh](const fs::path& temporary)
+    {
+      vtkNew<vtkXMLPolyDataWriter> writer;
+      writer->SetInputData(mesh);
+      writer->SetFileName(temporary.c_str());
+      return writer->Write() == 1;
+    });
+}
+
+void RunReport::AddIteration(const IterationState& state, DesktopState* desktop)
+{
+  TableRow& row = this->Rows.emplace_back();
+  row.Step = state.Step;
+  row.Iteration = state.Iteration;
+  row.Score = this->ScoreOf(state.Image);
+  row.MeanEnergy = state.MeanEnergy;
+  row.MeanPhoto = state.MeanPhoto;
+  row.MeanContour = state.MeanContour;
+  row.MeanSmooth = state.MeanSmooth;
+  row.PointsMoved = state.PointsMoved;
+  if (row.Score)
+  {
+    this->History.push_back({ row.Step, row.Iteration, row.Score->Rms, row.Score->Ssim });
+  }
+  const std::string name = IterationName(state.Step, state.Iteration);
+  WriteArray(this->Folder / "iterations" / (name + ".png"), state.Image, arrays::Color);
+  this->WriteMesh("iterations/" + name, state.Mesh);
+  if (desktop)
+  {
+    desktop->Step = state.Step;
+    desktop->Iteration = state.Iteration;
+    desktop->Mesh = state.Mesh;
+    desktop->NovelImage = state.Image;
+    desktop->TruthImage = this->Truth;
+    desktop->History = this->History;
+    DrawDesktop(*desktop, this->Folder / "iterations" / (name + "_desktop.png"));
+  }
+}
+
+std::string RunReport::TableText(Stage step) const
+{
+  const char* contour = step == Stage::Outline ? "mean_contour" : "mean_hull";
+  std::string text = std::string("iteration,rms,psnr,ssim,iou,mean_energy,mean_photo,") + contour +
+    ",mean_smooth,points_moved\n";
+  for (const TableRow& row : this->Rows)
+  {
+    if (row.Step != step)
+    {
+      continue;
+    }
+    text += std::to_string(row.Iteration) + ",";
+    // Without a truth the four columns stay empty.
+    text += row.Score ? Text(row.Score->Rms) + "," + Text(row.Score->Psnr) + "," +
+        Text(row.Score->Ssim) + "," + Text(row.Score->Iou) + ","
+                      : ",,,,";
+    text += Text(row.MeanEnergy) + "," + Text(row.MeanPhoto) + "," + Text(row.MeanContour) + "," +
+      Text(row.MeanSmooth) + "," + std::to_string(row.PointsMoved) + "\n";
+  }
+  return text;
+}
+
+std::string RunReport::SeriesText() const
+{
+  std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n"
+                     "  <Collection>\n";
+  int time = 0;
+  for (const TableRow& row : this->Rows)
+  {
+    text += "    <DataSet timestep=\"" + std::to_string(time++) + "\" file=\"iterations/" +
+      IterationName(row.Step, row.Iteration) + ".vtp\"/>\n";
+  }
+  return text + "  </Collection>\n</VTKFile>\n";
+}
+
+std::string RunReport::SummaryText() const
+{
+  nlohmann::ordered_json summary;
+  summary["foreground"] = "truth mask united with rendered mask";
+  nlohmann::ordered_json stages = nlohmann::ordered_json::object();
+  for (const auto& [name, scores] : this->StageScores)
+  {
+    stages[name] =
+      scores ? ScoresJson(*scores) : nlohmann::ordered_json(nlohmann::ordered_json::object());
+  }
+  summary["stages"] = stages;
+  const auto find = [this](const std::string& name) -> std::optional<Scores>
+  {
+    for (const auto& [stage, scores] : this->StageScores)
+    {
+      if (stage == name)
+      {
+        return scores;
+      }
+    }
+    return std::nullopt;
+  };
+  const auto hull = find("hull");
+  const auto full = find("full");
+  const auto oracle = find("oracle");
+  if (hull && full && oracle)
+  {
+    summary["gap_closure"] = { { "rms", (hull->Rms - full->Rms) / (hull->Rms - oracle->Rms) },
+      { "ssim", (hull->Ssim - full->Ssim) / (hull->Ssim - oracle->Ssim) } };
+  }
+  return summary.dump(2) + "\n";
+}
+
+void RunReport::Finish(const std::string& title) const
+{
+  if (!this->Rows.empty())
+  {
+    WriteTextAtomically(this->Folder / "rms_outline.csv", this->TableText(Stage::Outline));
+    WriteTextAtomically(this->Folder / "rms_nonoutline.csv", this->TableText(Stage::Full));
+    WriteTextAtomically(this->Folder / "meshes" / "iterations.pvd", this->SeriesText());
+  }
+  if (!this->History.empty())
+  {
+    DrawCharts(title, this->History, this->Folder / "rms.png");
+  }
+  WriteTextAtomically(this->Folder / "summary.json", this->SummaryText());
+}
+}

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef novelview_RunReport_h
+#define novelview_RunReport_h
+
+#include "Metrics.h"
+#include "ScenePictures.h"
+#include "Synthesis.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace novelview
+{
+/** The name of a step in files and tables: hull, outline, full; for tables nonoutline. */
+std::string StageName(Stage stage);
+
+/** A line of the tables: what IterationState tells, with the scores where there is a truth. */
+struct TableRow
+{
+  Stage Step = Stage::Outline;
+  int Iteration = 0;
+  std::optional<Scores> Score;
+  double MeanEnergy = 0;
+  double MeanPhoto = 0;
+  double MeanContour = 0;
+  double MeanSmooth = 0;
+  long PointsMoved = 0;
+};
+
+/**
+ * The folder a run leaves behind. Every function writes whole files (see WriteAtomically) and
+ * nothing in them depends on when or how fast the run was.
+ */
+class RunReport
+{
+public:
+  /** `truth` (arrays Color and Mask) may be null. */
+  RunReport(std::filesystem::path folder, vtkImageData* truth);
+
+  /** stages/NAME.png, stages/NAME_mask.png, stages/NAME_error.png and meshes/NAME.vtp. */
+  void AddStage(const std::string& name, const NovelView& view);
+
+  /** novel.png, novel_mask.png, novel_depth.tiff, novel_unseen.png. */
+  void WriteNovel(vtkImageData* image) const;
+
+  /** meshes/NAME.vtp */
+  void WriteMesh(const std::string& name, vtkPolyData* mesh) const;
+
+  /**
+   * A row of the tables, iterations/STEP_NN.png, meshes/iterations/STEP_NN.vtp and, when `desktop`
+   * is given, iterations/STEP_NN_desktop.png.
+   */
+  void AddIteration(const IterationState& state, DesktopState* desktop);
+
+  /** rms_outline.csv, rms_nonoutline.csv, rms.png, meshes/iterations.pvd, summary.json. */
+  void Finish(const std::string& title) const;
+
+  /** Scores against the truth; nothing without one. */
+  std::optional<Scores> ScoreOf(vtkImageData* image) const;
+
+  const std::vector<std::pair<std::string, std::optional<Scores>>>& Stages() const
+  {
+    return this->StageScores;
+  }
+
+private:
+  std::string TableText(Stage step) const;
+  std::string SeriesText() const;
+  std::string SummaryText() const;
+
+  std::filesystem::path Folder;
+  vtkSmartPointer<vtkImageData> Truth;
+  std::vector<std::pair<std::string, std::optional<Scores>>> StageScores;
+  std::vector<TableRow> Rows;
+  std::vector<HistoryRow> History;
+};
+}
+
+#endif

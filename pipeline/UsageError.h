@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef novelview_UsageError_h
+#define novelview_UsageError_h
+
+#include "Error.h"
+
+namespace novelview
+{
+/** The user asked for something that is no option, or gave it a value it cannot take. */
+class UsageError : public Error
+{
+public:
+  using Error::Error;
+};
+}
+
+#endif

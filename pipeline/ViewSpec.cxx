@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ViewSpec.h"
+
+#include "Error.h"
+#include "ImageFile.h"
+#include "UsageError.h"
+
+#include <charconv>
+
+namespace novelview
+{
+namespace fs = std::filesystem;
+namespace
+{
+const char* const Forms = "between:A,B[,FRACTION], like:IMAGE or file:PAR.txt#NAME";
+
+[[noreturn]] void Refuse(const std::string& text, const std::string& what)
+{
+  throw UsageError("view", what, "'" + text + "'", Forms);
+}
+
+bool ParseFraction(const std::string& text, double& fraction)
+{
+  const auto [stop, failure] = std::from_chars(text.data(), text.data() + text.size(), fraction);
+  return failure == std::errc() && stop == text.data() + text.size() && fraction >= 0 &&
+    fraction <= 1;
+}
+
+ViewSpec ParseBetween(const std::string& text, const std::string& rest)
+{
+  ViewSpec spec;
+  spec.What = ViewSpec::Kind::Between;
+  const std::size_t first = rest.find(',');
+  if (first == std::string::npos)
+  {
+    Refuse(text, "needs two cameras");
+  }
+  const std::size_t second = rest.find(',', first + 1);
+  spec.From = rest.substr(0, first);
+  spec.To =
+    rest.substr(first + 1, second == std::string::npos ? std::string::npos : second - first - 1);
+  if (spec.From.empty() || spec.To.empty())
+  {
+    Refuse(text, "needs two cameras");
+  }
+  if (second != std::string::npos && !ParseFraction(rest.substr(second + 1), spec.Fraction))
+  {
+    Refuse(text, "fraction is no number from 0 to 1");
+  }
+  return spec;
+}
+
+ViewSpec ParseFile(const std::string& text, const std::string& rest)
+{
+  ViewSpec spec;
+  spec.What = ViewSpec::Kind::File;
+  const std::size_t hash = rest.rfind('#');
+  if (hash == std::string::npos || hash == 0 || hash + 1 == rest.size())
+  {
+    Refuse(text, "needs a calibration file and a name in it");
+  }
+  spec.ParFile = rest.substr(0, hash);
+  spec.Name = rest.substr(hash + 1);
+  return spec;
+}
+
+const NamedCamera& Find(
+  const std::vector<NamedCamera>& cameras, const std::string& name, const std::string& where)
+{
+  for (const NamedCamera& camera : cameras)
+  {
+    if (camera.Name == name)
+    {
+      return camera;
+    }
+  }
+  throw UsageError("view", where + " has no camera of this name", "'" + name + "'",
+    "a name like " + (cameras.empty() ? "none" : cameras.front().Name));
+}
+
+/** A camera by its photograph's name or its number from 0. */
+const NamedCamera& FindByNameOrNumber(const DatasetIndex& dataset, const std::string& text)
+{
+  std::size_t number = 0;
+  const auto [stop, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (failure == std::errc() && stop == text.data() + text.size())
+  {
+    if (number >= dataset.Cameras.size())
+    {
+      throw UsageError("view", "there is no camera of this number", text,
+        "0 to " + std::to_string(dataset.Cameras.size() - 1));
+    }
+    return dataset.Cameras[number];
+  }
+  return Find(dataset.Cameras, text, dataset.ParFile.string());
+}
+
+void SetSizeFrom(Camera& camera, const fs::path& picture)
+{
+  const PictureSize size = ReadPictureSize(picture);
+  camera.Width = size.Width;
+  camera.Height = size.Height;
+}
+
+ResolvedView ResolveFile(const ViewSpec& spec, const DatasetIndex& dataset)
+{
+  ResolvedView view;
+  view.Cam = Find(ReadCameras(spec.ParFile), spec.Name, spec.ParFile.string()).Cam;
+  const fs::path folder = spec.ParFile.parent_path();
+  std::error_code failure;
+  if (fs::exists(folder / spec.Name, failure))
+  {
+    view.Truth = folder / spec.Name;
+    view.TruthMask = MaskFileOf(folder, spec.Name);
+  }
+  // A camera of the data set's own calibration: its photograph is the truth, so nobody sees it.
+  for (const NamedCamera& camera : dataset.Cameras)
+  {
+    const fs::path own = dataset.Folder / camera.Name;
+    if (!view.Truth.empty() && fs::exists(own, failure) && fs::equivalent(view.Truth, own, failure))
+    {
+      view.HeldOut = camera.Name;
+    }
+  }
+  SetSizeFrom(
+    view.Cam, view.Truth.empty() ? dataset.Folder / dataset.Cameras.front().Name : view.Truth);
+  return view;
+}
+}
+
+ViewSpec ParseViewSpec(const std::string& text)
+{
+  const std::size_t colon = text.find(':');
+  const std::string kind = text.substr(0, colon);
+  const std::string rest = colon == std::string::npos ? "" : text.substr(colon + 1);
+  if (text.empty())
+  {
+    return {};
+  }
+  if (kind == "between")
+  {
+    return ParseBetween(text, rest);
+  }
+  if (kind == "file")
+  {
+    return ParseFile(text, rest);
+  }
+  if (kind != "like" || rest.empty())
+  {
+    Refuse(text, "is no view");
+  }
+  ViewSpec spec;
+  spec.What = ViewSpec::Kind::Like;
+  spec.Name = rest;
+  return spec;
+}
+
+std::string ViewSpecText(const ViewSpec& spec)
+{
+  char fraction[64];
+  switch (spec.What)
+  {
+    case ViewSpec::Kind::Between:
+      return "between:" + spec.From + "," + spec.To + "," +
+        std::string(fraction, std::to_chars(fraction, fraction + 64, spec.Fraction).ptr);
+    case ViewSpec::Kind::Like:
+      return "like:" + spec.Name;
+    case ViewSpec::Kind::File:
+      return "file:" + spec.ParFile.string() + "#" + spec.Name;
+    case ViewSpec::Kind::None:
+      break;
+  }
+  return "";
+}
+
+ResolvedView ResolveViewSpec(const ViewSpec& spec, const DatasetIndex& dataset)
+{
+  if (spec.What == ViewSpec::Kind::None || dataset.Cameras.empty())
+  {
+    throw UsageError("view", "none given", "nothing", Forms);
+  }
+  if (spec.What == ViewSpec::Kind::File)
+  {
+    return ResolveFile(spec, dataset);
+  }
+  ResolvedView view;
+  if (spec.What == ViewSpec::Kind::Like)
+  {
+    const NamedCamera& like = FindByNameOrNumber(dataset, spec.Name);
+    view.Cam = like.Cam;
+    view.HeldOut = like.Name;
+    view.Truth = dataset.Folder / like.Name;
+    view.TruthMask = MaskFileOf(dataset.Folder, like.Name);
+    SetSizeFrom(view.Cam, view.Truth);
+    return view;
+  }
+  const NamedCamera& from = FindByNameOrNumber(dataset, spec.From);
+  const NamedCamera& to = FindByNameOrNumber(dataset, spec.To);
+  view.Cam = InterpolateOnOrbit(from.Cam, to.Cam, spec.Fraction);
+  SetSizeFrom(view.Cam, dataset.Folder / from.Name);
+  return view;
+}
+}

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "CommandLine.h"
+#include "TestSupport.h"
+#include "UsageError.h"
+
+#include <cstdio>
+#include <optional>
+#include <sys/wait.h>
+
+using namespace novelview;
+using namespace novelview::testing_support;
+using testing::HasSubstr;
+
+namespace
+{
+/** The end of a command line: exit code, what was printed, and what the commands were given. */
+struct Outcome
+{
+  int Code = -1;
+  std::string Out;
+  std::string Err;
+  std::optional<GeneratorOptions> Generated;
+  std::filesystem::path GeneratedInto;
+  std::optional<Job> Ran;
+  std::optional<RenderOptions> Rendered;
+};
+
+/** Runs a command line in this process, with commands that only note what they were given. */
+Outcome Parse(std::vector<const char*> words, const std::function<void()>& inRun = {})
+{
+  Outcome outcome;
+  Commands commands;
+  commands.Generate = [&outcome](
+                        const GeneratorOptions& options, const std::filesystem::path& out, Console&)
+  {
+    outcome.Generated = options;
+    outcome.GeneratedInto = out;
+  };
+  commands.Run = [&outcome, &inRun](const Job& job, Console&)
+  {
+    outcome.Ran = job;
+    if (inRun)
+    {
+      inRun();
+    }
+  };
+  commands.Render = [&outcome](const RenderOptions& options, Console&)
+  { outcome.Rendered = options; };
+  words.insert(words.begin(), "novelview");
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  outcome.Code = RunCommandLine(static_cast<int>(words.size()), words.data(), commands);
+  outcome.Out = testing::internal::GetCapturedStdout();
+  outcome.Err = testing::internal::GetCapturedStderr();
+  return outcome;
+}
+
+void ExpectUsageError(const std::vector<const char*>& words, const std::string& part)
+{
+  const Outcome outcome = Parse(words);
+  EXPECT_EQ(outcome.Code, 2);
+  EXPECT_THAT(outcome.Err, HasSubstr(part));
+  EXPECT_EQ(std::count(outcome.Err.begin(), outcome.Err.end(), '\n'), 1) << outcome.Err;
+  EXPECT_FALSE(outcome.Ran || outcome.Rendered || outcome.Generated);
+}
+
+/** Runs the program itself. */
+Outcome Execute(const std::string& words)
+{
+  const TemporaryFolder folder;
+  const std::string command = std::string("'" NOVELVIEW_PROGRAM "' ") + words + " >'" +
+    (folder / "out").string() + "' 2>'" + (folder / "err").string() + "'";
+  const int status = std::system(command.c_str());
+  Outcome outcome;
+  outcome.Code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  outcome.Out = ReadText(folder / "out");
+  outcome.Err = ReadText(folder / "err");
+  return outcome;
+}
+}
+
+TEST(CommandLine, RunIsGivenItsJob)
+{
+  const Outcome outcome = Parse({ "run", "bunny", "--view", "between:0,1,0.25", "--out", "o",
+    "--hull-box", "-1,-2,-3,1,2,3", "--exclude", "a.png,b.png", "--no-iterations",
+    "--hull-keep-all", "--silhouette-level=30", "--threads", "1" });
+  EXPECT_EQ(outcome.Code, 0) << outcome.Err;
+  ASSERT_TRUE(outcome.Ran);
+  EXPECT_EQ(outcome.Ran->Input.Dataset, "bunny");
+  EXPECT_EQ(outcome.Ran->View.Fraction, 0.25);
+  EXPECT_EQ(outcome.Ran->Synthesis.HullBox, (std::array<double, 6>{ -1, -2, -3, 1, 2, 3 }));
+  EXPECT_EQ(outcome.Ran->Input.Exclude, (std::vector<std::string>{ "a.png", "b.png" }));
+  EXPECT_FALSE(outcome.Ran->WriteIterations);
+  EXPECT_TRUE(outcome.Ran->Screenshots);
+  EXPECT_TRUE(outcome.Ran->Synthesis.HullKeepAll);
+  EXPECT_EQ(outcome.Ran->Input.Silhouette.Level, 30);
+  EXPECT_EQ(outcome.Ran->Threads, 1);
+}
+
+TEST(CommandLine, OptionsMayStandBeforeTheDataSet)
+{
+  const Outcome outcome =
+    Parse({ "run", "--exclude", "a.png", "--out", "o", "--view", "like:a.png", "bunny" });
+  ASSERT_TRUE(outcome.Ran) << outcome.Err;
+  EXPECT_EQ(outcome.Ran->Input.Dataset, "bunny");
+  EXPECT_EQ(outcome.Ran->View.Name, "a.png");
+}
+
+TEST(CommandLine, RenderIsGivenItsOptions)
+{
+  const Outcome outcome = Parse({ "render", "bunny", "--cameras", "test/test_par.txt", "--out", "o",
+    "--stage", "hull", "--preset", "paper" });
+  ASSERT_TRUE(outcome.Rendered) << outcome.Err;
+  EXPECT_EQ(outcome.Rendered->Cameras, "test/test_par.txt");
+  EXPECT_EQ(outcome.Rendered->UpTo, Stage::Hull);
+  EXPECT_EQ(outcome.Rendered->Synthesis.Preset, "paper");
+}
+
+TEST(CommandLine, GenerateIsGivenItsOptions)
+{
+  const Outcome outcome =
+    Parse({ "generate", "--out", "o", "--views", "8", "--step", "45", "--size", "320x200",
+      "--test-angles", "15,22.5", "--no-lit", "--texture", "marble", "--seed", "-3" });
+  ASSERT_TRUE(outcome.Generated) << outcome.Err;
+  EXPECT_EQ(outcome.GeneratedInto, "o");
+  EXPECT_EQ(outcome.Generated->Views, 8);
+  EXPECT_EQ(outcome.Generated->StepDeg, 45);
+  EXPECT_EQ(outcome.Generated->Width, 320);
+  EXPECT_EQ(outcome.Generated->Height, 200);
+  EXPECT_EQ(outcome.Generated->TestAnglesDeg, (std::vector<double>{ 15, 22.5 }));
+  EXPECT_FALSE(outcome.Generated->Lit);
+  EXPECT_EQ(outcome.Generated->Texture, "marble");
+  EXPECT_EQ(outcome.Generated->Seed, -3);
+}
+
+TEST(CommandLine, BadUsageIsOneLineAndExitCodeTwo)
+{
+  ExpectUsageError({}, "subcommand is required");
+  ExpectUsageError({ "rum", "bunny" }, "unknown command rum, did you mean run?");
+  ExpectUsageError({ "run", "bunny", "--out", "o" }, "--view: no novel view");
+  ExpectUsageError({ "run", "bunny", "--view", "like:a" }, "--out: no folder");
+  ExpectUsageError({ "run", "bunny", "--view", "like:a", "--out", "o", "--hull-spaccing", "2" },
+    "unknown option --hull-spaccing, did you mean --hull-spacing?");
+  ExpectUsageError({ "run", "bunny", "--view", "like:a", "--out", "o", "--hull-spacing", "x" },
+    "--hull-spacing: is no number (got 'x'");
+  ExpectUsageError({ "run", "bunny", "--view", "beside:a", "--out", "o" }, "view: is no view");
+  ExpectUsageError({ "run", "bunny", "--quiet", "--verbose" }, "excludes");
+  ExpectUsageError({ "generate", "--out", "o", "--size", "640" }, "--size: is no size (got '640'");
+  ExpectUsageError({ "generate", "--out", "o", "--texture", "wod" }, "wood, marble");
+  ExpectUsageError({ "generate", "--views", "3" }, "--out");
+}
+
+TEST(CommandLine, FailuresHaveTheirExitCodes)
+{
+  const std::vector<const char*> words{ "run", "bunny", "--view", "like:a", "--out", "o" };
+  const Outcome failed = Parse(words, [] { throw Error("hull", "is empty"); });
+  EXPECT_EQ(failed.Code, 1);
+  EXPECT_EQ(failed.Err, "novelview: error: hull: is empty\n");
+  const Outcome interrupted = Parse(words, [] { throw Interrupted(); });
+  EXPECT_EQ(interrupted.Code, 130);
+  EXPECT_EQ(interrupted.Err, "novelview: error: interrupted\n");
+  const Outcome misused = Parse(words, [] { throw UsageError("view", "unknown"); });
+  EXPECT_EQ(misused.Code, 2);
+}
+
+TEST(CommandLine, HelpTellsEveryOptionWithDefaultAndUnit)
+{
+  const Outcome help = Parse({ "run", "--help" });
+  EXPECT_EQ(help.Code, 0);
+  Job job;
+  job.Synthesis = PresetOptions("best");
+  for (const Option& option : OptionsOf(job))
+  {
+    EXPECT_THAT(help.Out, HasSubstr(option.Key == "dataset" ? "DATASET" : FlagOf(option.Key)));
+    EXPECT_THAT(help.Out, HasSubstr(option.Unit));
+  }
+  EXPECT_THAT(help.Out, HasSubstr("default: " + ValueText(OptionsOf(job)[0]).append("none")));
+  EXPECT_THAT(help.Out, HasSubstr("(px; 0.25 to 100; default: "));
+  EXPECT_THAT(
+    Parse({ "generate", "--help" }).Out, HasSubstr("(px; 16 to 16384; default: 640x480)"));
+  EXPECT_THAT(Parse({ "--help" }).Out, HasSubstr("render"));
+  EXPECT_THAT(Parse({ "--version" }).Out, testing::StartsWith("novelview 0."));
+}
+
+TEST(Program, BadUsageAndFailuresReachTheShell)
+{
+  EXPECT_EQ(Execute("--version").Code, 0);
+  EXPECT_EQ(Execute("generate --views 0 --out x").Code, 2);
+  const TemporaryFolder folder;
+  const Outcome failed =
+    Execute("generate --quiet --mesh nowhere.ply --out '" + (folder / "data").string() + "'");
+  EXPECT_EQ(failed.Code, 1);
+  EXPECT_THAT(failed.Err, HasSubstr("nowhere.ply"));
+  EXPECT_EQ(std::count(failed.Err.begin(), failed.Err.end(), '\n'), 1) << failed.Err;
+  EXPECT_FALSE(std::filesystem::exists(folder / "data")) << "a failed run leaves nothing";
+}
+
+TEST(Program, InterruptStopsItOrderly)
+{
+  const TemporaryFolder folder;
+  const std::string err = (folder / "err").string();
+  // Enough views that it is still at work when the signal comes; and an end, should it not come.
+  const std::string command = "timeout 100 '" NOVELVIEW_PROGRAM "' generate --quiet --views 2000" +
+    (" --out '" + (folder / "data").string()) + "' 2>'" + err +
+    "' & sleep 2; kill -INT $!; wait $!";
+  const int status = std::system(command.c_str());
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  EXPECT_EQ(ReadText(err), "novelview: error: interrupted\n");
+}

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Console.h"
+#include "TestSupport.h"
+
+#include <csignal>
+
+using namespace novelview;
+using namespace novelview::testing_support;
+
+namespace
+{
+/** What a console wrote to its two streams. */
+struct Written
+{
+  std::string Out;
+  std::string Err;
+};
+
+template <class Body>
+Written Talk(Verbosity verbosity, const Body& body)
+{
+  const TemporaryFolder folder;
+  std::FILE* out = std::fopen((folder / "out").c_str(), "w");
+  std::FILE* err = std::fopen((folder / "err").c_str(), "w");
+  {
+    Console console(verbosity, out, err);
+    body(console);
+  }
+  std::fclose(out);
+  std::fclose(err);
+  return { ReadText(folder / "out"), ReadText(folder / "err") };
+}
+
+void SayEverything(Console& console)
+{
+  console.Progress("hull", 0.5);
+  console.StageDone("hull", 1.25);
+  console.Info("an info");
+  console.Detail("a detail");
+  console.Warn("a warning {}");
+  console.Error("an error");
+}
+}
+
+TEST(Console, WritesWholeLinesWhereThereIsNoTerminal)
+{
+  const Written normal = Talk(Verbosity::Normal, SayEverything);
+  EXPECT_EQ(normal.Out, "hull done in 1.25 s\nan info\n");
+  EXPECT_EQ(normal.Err, "novelview: warning: a warning {}\nnovelview: error: an error\n");
+}
+
+TEST(Console, QuietKeepsWarningsAndErrors)
+{
+  const Written quiet = Talk(Verbosity::Quiet, SayEverything);
+  EXPECT_EQ(quiet.Out, "");
+  EXPECT_EQ(quiet.Err, "novelview: warning: a warning {}\nnovelview: error: an error\n");
+}
+
+TEST(Console, VerboseTellsDetails)
+{
+  EXPECT_EQ(
+    Talk(Verbosity::Verbose, SayEverything).Out, "hull done in 1.25 s\nan info\na detail\n");
+}
+
+TEST(Console, SummaryAddsUpStagesAndTellsMemory)
+{
+  const Written written = Talk(Verbosity::Normal,
+    [](Console& console)
+    {
+      console.StageDone("hull", 1);
+      console.StageDone("outline", 2);
+      console.StageDone("hull", 0.5);
+      ASSERT_EQ(console.StageSeconds().size(), 2u);
+      EXPECT_EQ(console.StageSeconds()[0].second, 1.5);
+      console.Summary();
+    });
+  EXPECT_THAT(written.Out, testing::HasSubstr("hull                         1.50 s\n"));
+  EXPECT_THAT(written.Out, testing::HasSubstr("peak memory"));
+  EXPECT_GT(PeakMemoryMiB(), 1); // no process with VTK in it fits into 1 MiB
+}

@@ -1,0 +1,631 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "FieldDeformation.h"
+
+#include "ContourDistance.h"
+#include "MeshNeighbours.h"
+#include "NonOutlineDeformation.h"
+#include "NovelProjection.h"
+#include "OutlineDeformation.h"
+#include "Rasteriser.h"
+#include "ViewSelection.h"
+#include "Visibility.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace novelview
+{
+namespace
+{
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+double FootprintOf(const std::vector<View>& views, const TriangleMesh& mesh)
+{
+  Eigen::AlignedBox3d box;
+  for (const Vector3d& point : mesh.Points)
+  {
+    box.extend(point);
+  }
+  const double footprint = mesh.Points.empty() ? 0 : MedianFootprint(views, box.center());
+  if (footprint <= 0)
+  {
+    throw Error("deformer", "the mesh is empty or lies behind every reference camera");
+  }
+  return footprint;
+}
+
+void RequireMaps(const std::vector<View>& views)
+{
+  for (const View& view : views)
+  {
+    if (view.DepthMap.Empty() || view.Confidence.Empty())
+    {
+      throw Error("view " + view.Name, "point array Depth or Confidence is missing");
+    }
+  }
+}
+
+// ---- the fused silhouette -----------------------------------------------------------------------
+
+/** Walks novel rays through the field, starting at the front of a mesh. */
+class NovelWalker
+{
+public:
+  NovelWalker(const FusedField& field, const Camera& novel, double reach, double step)
+    : Field(field)
+    , Novel(novel)
+    , Centre(novel.Centre())
+    , Reach(reach)
+    , Step(step)
+  {
+  }
+
+  /** The ray's parameter is the depth in the novel camera. */
+  FusedField::RayResult Walk(const Vector2d& pixel, double frontDepth) const
+  {
+    const Vector3d direction = this->Novel.Unproject(pixel, 1) - this->Centre;
+    return this->Field.Walk(this->Centre, direction, std::max(frontDepth, this->Step),
+      frontDepth + this->Reach, this->Step);
+  }
+
+private:
+  const FusedField& Field;
+  const Camera& Novel;
+  const Vector3d Centre;
+  const double Reach;
+  const double Step;
+};
+
+/** Coverage 0 to 255 of every pixel; first by its centre, then at the rim by sub-rays. */
+class SilhouetteTracer
+{
+public:
+  SilhouetteTracer(const ItemBuffer& front, const NovelWalker& walker, double margin)
+    : Front(front)
+    , Walker(walker)
+    , Margin(margin)
+    , Coverage(front.Depth.Width, front.Depth.Height)
+  {
+  }
+
+  void TraceCentres(const Execution& execution)
+  {
+    execution.ForEach(this->Coverage.Height,
+      [&](std::int64_t y)
+      {
+        for (int x = 0; x < this->Coverage.Width; ++x)
+        {
+          if (this->Front.Hit(x, static_cast<int>(y)))
+          {
+            const double depth = this->Front.Depth(x, static_cast<int>(y)) - this->Margin;
+            const auto met = this->Walker.Walk(Vector2d(x, static_cast<double>(y)), depth);
+            this->Coverage(x, static_cast<int>(y)) = met.Least < 0 ? 255 : 0;
+          }
+        }
+      });
+  }
+
+  void TraceRim(int samples, const Execution& execution)
+  {
+    const Image<std::uint8_t> centres = this->Coverage;
+    execution.ForEach(this->Coverage.Height,
+      [&](std::int64_t row)
+      {
+        const int y = static_cast<int>(row);
+        for (int x = 0; x < centres.Width; ++x)
+        {
+          if (IsRim(centres, x, y))
+          {
+            this->Coverage(x, y) = this->CoverageOf(x, y, samples);
+          }
+        }
+      });
+  }
+
+  Image<std::uint8_t> Take() { return std::move(this->Coverage); }
+
+private:
+  static bool IsRim(const Image<std::uint8_t>& centres, int x, int y)
+  {
+    for (int j = std::max(y - 1, 0); j <= std::min(y + 1, centres.Height - 1); ++j)
+    {
+      for (int i = std::max(x - 1, 0); i <= std::min(x + 1, centres.Width - 1); ++i)
+      {
+        if (centres(i, j) != centres(x, y))
+        {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  std::uint8_t CoverageOf(int x, int y, int samples) const
+  {
+    // The mesh's front near the pixel: at the hull's own rim the centre may miss it.
+    double front = std::numeric_limits<double>::infinity();
+    for (int j = std::max(y - 1, 0); j <= std::min(y + 1, this->Coverage.Height - 1); ++j)
+    {
+      for (int i = std::max(x - 1, 0); i <= std::min(x + 1, this->Coverage.Width - 1); ++i)
+      {
+        front = std::min<double>(front, this->Front.Depth(i, j));
+      }
+    }
+    if (!std::isfinite(front))
+    {
+      return 0;
+    }
+    int hits = 0;
+    for (int n = 0; n < samples * samples; ++n)
+    {
+      const double dx = (n % samples + 0.5) / samples - 0.5;
+      const double dy = (n / samples + 0.5) / samples - 0.5;
+      hits += this->Walker.Walk(Vector2d(x + dx, y + dy), front - this->Margin).Least < 0;
+    }
+    return static_cast<std::uint8_t>(hits * 255 / (samples * samples));
+  }
+
+  const ItemBuffer& Front;
+  const NovelWalker& Walker;
+  const double Margin;
+  Image<std::uint8_t> Coverage;
+};
+
+Image<std::uint8_t> Median3x3(const Image<std::uint8_t>& image)
+{
+  Image<std::uint8_t> result = image;
+  for (int y = 1; y + 1 < image.Height; ++y)
+  {
+    for (int x = 1; x + 1 < image.Width; ++x)
+    {
+      std::uint8_t values[9];
+      for (int n = 0; n < 9; ++n)
+      {
+        values[n] = image(x + n % 3 - 1, y + n / 3 - 1);
+      }
+      std::nth_element(values, values + 4, values + 9);
+      result(x, y) = values[4];
+    }
+  }
+  return result;
+}
+
+/** Turns connected regions (4 neighbours) on one side of 127.5 that are too small to the other. */
+void RemoveSmallRegions(Image<std::uint8_t>& image, bool object, double leastArea)
+{
+  std::vector<std::uint8_t> seen(image.Values.size(), 0);
+  std::vector<int> region;
+  for (int start = 0; start < static_cast<int>(seen.size()); ++start)
+  {
+    if (seen[start] || (image.Values[start] > 127) != object)
+    {
+      continue;
+    }
+    region.assign(1, start);
+    seen[start] = 1;
+    for (std::size_t n = 0; n < region.size(); ++n)
+    {
+      const int x = region[n] % image.Width;
+      const int y = region[n] / image.Width;
+      for (const auto& [dx, dy] : { std::pair(-1, 0), { 1, 0 }, { 0, -1 }, { 0, 1 } })
+      {
+        const int other = region[n] + dy * image.Width + dx;
+        if (image.Ref().Contains(x + dx, y + dy) && !seen[other] &&
+          (image.Values[other] > 127) == object)
+        {
+          seen[other] = 1;
+          region.push_back(other);
+        }
+      }
+    }
+    if (static_cast<double>(region.size()) < leastArea)
+    {
+      for (const int pixel : region)
+      {
+        image.Values[pixel] = object ? 0 : 255;
+      }
+    }
+  }
+}
+
+// ---- the outline ----------------------------------------------------------------------------------
+
+class FieldOutlineDeformer
+{
+public:
+  FieldOutlineDeformer(const TriangleMesh& mesh, const std::vector<std::uint8_t>& visible,
+    const Camera& novel, const Image<float>& silhouette)
+    : Start(NovelProjection::FacingPart(mesh, novel))
+    , Visible(visible)
+    , Novel(novel)
+    , Silhouette(silhouette)
+    , StartNeighbours(this->Start)
+    , StartProjection(this->Start, novel)
+    , Inside(mesh.Points.size(), 0)
+  {
+    for (std::size_t ptId = 0; ptId < mesh.Points.size(); ++ptId)
+    {
+      if (!this->StartNeighbours.Triangles(static_cast<int>(ptId)).empty())
+      {
+        this->Inside[ptId] = this->At(this->StartProjection.Pixels[ptId]);
+        this->Deepest = std::min(this->Deepest, this->Inside[ptId]);
+      }
+    }
+  }
+
+  /** How far outside the contour the mesh reaches, pixels. */
+  double Reach() const { return -this->Deepest; }
+
+  /** The start mesh with its outline moved to the contour at `level` (below 0 = further out). */
+  void MoveTo(double level, DeformationResult& result, DeformationState& state)
+  {
+    const std::size_t count = this->Start.Points.size();
+    result.Mesh.Points = this->Start.Points;
+    result.Mesh.Triangles.clear();
+    result.Active.assign(count, 0);
+    result.Energies.assign(count, PointEnergy());
+    for (const Eigen::Vector3i& t : this->Start.Triangles)
+    {
+      if (this->Inside[t[0]] >= level || this->Inside[t[1]] >= level || this->Inside[t[2]] >= level)
+      {
+        result.Mesh.Triangles.push_back(t);
+      }
+    }
+    const MeshNeighbours neighbours(result.Mesh);
+    NovelProjection projection = this->StartProjection;
+    state.PointsMoved = 0;
+    state.LargestMovePx = 0;
+    for (int ptId = 0; ptId < static_cast<int>(count); ++ptId)
+    {
+      if (this->Inside[ptId] < level && !neighbours.Triangles(ptId).empty())
+      {
+        const double moved = this->MovePoint(ptId, level, result.Mesh, neighbours, projection);
+        state.PointsMoved += moved > 0;
+        state.LargestMovePx = std::max(state.LargestMovePx, moved);
+      }
+    }
+    this->MarkOutline(neighbours, projection, result);
+  }
+
+private:
+  double At(const Vector2d& pixel) const
+  {
+    return SampleBilinear(this->Silhouette.Ref(), pixel.x(), pixel.y());
+  }
+
+  Vector2d Gradient(const Vector2d& pixel) const
+  {
+    const Vector2d gradient(this->At(pixel + Vector2d(0.5, 0)) - this->At(pixel - Vector2d(0.5, 0)),
+      this->At(pixel + Vector2d(0, 0.5)) - this->At(pixel - Vector2d(0, 0.5)));
+    const double length = gradient.norm();
+    return length > 0 ? Vector2d(gradient / length) : Vector2d(0, 0);
+  }
+
+  /** Moves a point in the image plane towards the contour; returns by how many pixels. */
+  double MovePoint(int ptId, double level, TriangleMesh& mesh, const MeshNeighbours& neighbours,
+    NovelProjection& projection) const
+  {
+    const Vector2d start = projection.Pixels[ptId];
+    Vector2d target = start;
+    for (int step = 0; step < 4; ++step)
+    {
+      target += (level - this->At(target)) * this->Gradient(target);
+    }
+    for (double part = 1; part > 0.05; part *= 0.6)
+    {
+      const Vector2d pixel = start + part * (target - start);
+      if (projection.KeepsOrientation(mesh, neighbours, ptId, pixel))
+      {
+        const double depth = this->Novel.Depth(mesh.Points[ptId]);
+        mesh.Points[ptId] = this->Novel.Unproject(pixel, depth);
+        projection.Pixels[ptId] = pixel;
+        return (pixel - start).norm();
+      }
+    }
+    return 0;
+  }
+
+  /** Outline points: on an open edge, near the contour of the mesh's silhouette. */
+  void MarkOutline(const MeshNeighbours& neighbours, const NovelProjection& projection,
+    DeformationResult& result) const
+  {
+    const ItemBuffer silhouette = Rasterise(result.Mesh, this->Novel);
+    const auto isOutline = [&](int ptId)
+    {
+      return (this->Visible.empty() || this->Visible[ptId]) &&
+        !neighbours.Triangles(ptId).empty() && OnContour(silhouette, projection.Pixels[ptId]);
+    };
+    for (int ptId = 0; ptId < static_cast<int>(result.Active.size()); ++ptId)
+    {
+      if (isOutline(ptId))
+      {
+        result.Active[ptId] = 1;
+        PointEnergy& energy = result.Energies[ptId];
+        energy.Photo = std::abs(this->At(projection.Pixels[ptId]));
+        energy.Total = energy.Photo;
+      }
+    }
+  }
+
+  TriangleMesh Start;
+  const std::vector<std::uint8_t>& Visible;
+  const Camera& Novel;
+  const Image<float>& Silhouette;
+  MeshNeighbours StartNeighbours;
+  NovelProjection StartProjection;
+  std::vector<double> Inside; ///< signed distance of each point's projection to the contour
+  double Deepest = 0;
+};
+
+// ---- the other points -----------------------------------------------------------------------------
+
+class FieldRayDeformer
+{
+public:
+  FieldRayDeformer(const TriangleMesh& mesh, const std::vector<std::uint8_t>& active,
+    const Camera& novel, const FieldDeformationOptions& options)
+    : Mesh(mesh)
+    , Active(active)
+    , Neighbours(mesh)
+    , Novel(novel)
+    , Options(options)
+    , Start(mesh.Points.size(), 0)
+    , Target(mesh.Points.size(), 0)
+    , Goal(mesh.Points.size(), 0)
+  {
+    for (int ptId = 0; ptId < static_cast<int>(mesh.Points.size()); ++ptId)
+    {
+      this->Start[ptId] = novel.Depth(mesh.Points[ptId]);
+      this->Active[ptId] =
+        this->Active[ptId] && this->Start[ptId] > 0 && !this->Neighbours.Triangles(ptId).empty();
+    }
+  }
+
+  /** The depth of the field's surface on each active point's ray; 0 = it meets none. */
+  void FindSurface(const FusedField& field, double footprint, const Execution& execution)
+  {
+    const NovelWalker walker(
+      field, this->Novel, BoundingDiagonal(this->Mesh.Points), this->Options.StepPx * footprint);
+    execution.ForEach(static_cast<std::int64_t>(this->Target.size()),
+      [&](std::int64_t ptId)
+      {
+        if (this->Active[ptId])
+        {
+          // A neighbour may be nearer: points that moved in the plane kept their old depth.
+          double front = this->Start[ptId];
+          for (const int other : this->Neighbours.Points(static_cast<int>(ptId)))
+          {
+            front = std::min(front, this->Start[other]);
+          }
+          const Vector2d pixel = this->Novel.Project(this->Mesh.Points[ptId]);
+          this->Target[ptId] = walker.Walk(pixel, front - 1.5 * footprint).Surface.value_or(0);
+        }
+      });
+  }
+
+  /** Where each point shall go: its surface balanced with its neighbours. */
+  void Balance(const Execution& execution)
+  {
+    this->Goal = this->Target;
+    this->FillFromNeighbours();
+    const double weight = this->Options.Smoothing;
+    for (int step = 0; step < this->Options.SmoothingSteps && weight > 0; ++step)
+    {
+      const std::vector<double> before = this->Goal;
+      execution.ForEach(static_cast<std::int64_t>(this->Goal.size()),
+        [&](std::int64_t ptId)
+        {
+          double sum = 0;
+          int count = 0;
+          for (const int other : this->Neighbours.Points(static_cast<int>(ptId)))
+          {
+            sum += this->Active[other] ? before[other] : 0;
+            count += this->Active[other];
+          }
+          if (this->Active[ptId] && count)
+          {
+            const double own = this->Target[ptId] > 0 ? this->Target[ptId] : before[ptId];
+            this->Goal[ptId] = (own + weight * sum / count) / (1 + weight);
+          }
+        });
+    }
+  }
+
+  /** The mesh a fraction of the way there. */
+  void MoveTo(double fraction, double footprint, DeformationResult& result, DeformationState& state)
+  {
+    result.Mesh = this->Mesh;
+    result.Active = this->Active;
+    result.Energies.assign(this->Goal.size(), PointEnergy());
+    state.PointsMoved = 0;
+    state.LargestMovePx = 0;
+    const Vector3d centre = this->Novel.Centre();
+    for (std::size_t ptId = 0; ptId < this->Goal.size(); ++ptId)
+    {
+      if (!this->Active[ptId])
+      {
+        continue;
+      }
+      const double depth = this->Start[ptId] + fraction * (this->Goal[ptId] - this->Start[ptId]);
+      result.Mesh.Points[ptId] =
+        centre + depth / this->Start[ptId] * (this->Mesh.Points[ptId] - centre);
+      const double moved = std::abs(depth - this->Start[ptId]) / footprint;
+      state.PointsMoved += moved > 1e-3;
+      state.LargestMovePx = std::max(state.LargestMovePx, moved);
+    }
+    this->Measure(footprint, result);
+  }
+
+private:
+  /** Points whose ray meets nothing take the mean of those around, ring by ring. */
+  void FillFromNeighbours()
+  {
+    std::vector<int> open;
+    for (int ptId = 0; ptId < static_cast<int>(this->Goal.size()); ++ptId)
+    {
+      if (this->Active[ptId] && this->Goal[ptId] <= 0)
+      {
+        open.push_back(ptId);
+      }
+    }
+    while (!open.empty())
+    {
+      std::vector<int> rest;
+      std::vector<std::pair<int, double>> found;
+      for (const int ptId : open)
+      {
+        double sum = 0;
+        int count = 0;
+        for (const int other : this->Neighbours.Points(ptId))
+        {
+          if (this->Goal[other] > 0)
+          {
+            sum += this->Goal[other];
+            ++count;
+          }
+        }
+        if (count)
+        {
+          found.emplace_back(ptId, sum / count);
+        }
+        else
+        {
+          rest.push_back(ptId);
+        }
+      }
+      if (found.empty())
+      {
+        break;
+      }
+      for (const auto& [ptId, depth] : found)
+      {
+        this->Goal[ptId] = depth;
+      }
+      open = std::move(rest);
+    }
+    for (const int ptId : open)
+    {
+      this->Goal[ptId] = this->Start[ptId]; // nothing is known anywhere around: stay on the hull
+    }
+  }
+
+  void Measure(double footprint, DeformationResult& result) const
+  {
+    const Vector3d centre = this->Novel.Centre();
+    std::vector<Vector3d> around;
+    for (int ptId = 0; ptId < static_cast<int>(this->Goal.size()); ++ptId)
+    {
+      if (!this->Active[ptId])
+      {
+        continue;
+      }
+      around.clear();
+      for (const int other : this->Neighbours.Points(ptId))
+      {
+        around.push_back(result.Mesh.Points[other]);
+      }
+      const Vector3d& point = result.Mesh.Points[ptId];
+      const double depth = this->Novel.Depth(point);
+      PointEnergy& energy = result.Energies[ptId];
+      energy.Photo = this->Target[ptId] > 0 ? std::abs(depth - this->Target[ptId]) / footprint : 0;
+      energy.Contour = std::abs(depth - this->Start[ptId]) / footprint;
+      energy.Smooth = RaySmoothnessEnergy(point, (point - centre).normalized(), around, footprint);
+      energy.Total = energy.Photo + this->Options.Smoothing * energy.Smooth;
+    }
+  }
+
+  const TriangleMesh& Mesh;
+  std::vector<std::uint8_t> Active;
+  MeshNeighbours Neighbours;
+  const Camera& Novel;
+  const FieldDeformationOptions& Options;
+  std::vector<double> Start;  ///< depth before
+  std::vector<double> Target; ///< depth of the surface on the ray; 0 = none
+  std::vector<double> Goal;   ///< depth to go to
+};
+
+/** Calls move(fraction) for every iteration, the first with 0, and tells the listener. */
+template <class Move>
+int Iterate(int iterations, DeformationResult& result, const DeformationListener& listener,
+  const Execution& execution, const Move& move)
+{
+  DeformationState state;
+  for (; state.Iteration <= iterations; ++state.Iteration)
+  {
+    const bool last = state.Iteration == iterations;
+    if (listener || last)
+    {
+      move(iterations ? static_cast<double>(state.Iteration) / iterations : 0.0, state);
+      state.Mesh = &result.Mesh;
+      state.Energies = &result.Energies;
+      state.Active = &result.Active;
+    }
+    if (listener)
+    {
+      listener(state);
+    }
+    execution.Report(0.5 + 0.5 * state.Iteration / std::max(iterations, 1));
+  }
+  return iterations;
+}
+}
+
+Image<float> FusedSilhouette(const TriangleMesh& mesh, const FusedField& field, const Camera& novel,
+  double footprint, const FieldDeformationOptions& options, const Execution& execution)
+{
+  const ItemBuffer front = Rasterise(mesh, novel, execution);
+  const NovelWalker walker(field, novel, BoundingDiagonal(mesh.Points), options.StepPx * footprint);
+  SilhouetteTracer tracer(front, walker, 1.5 * footprint);
+  tracer.TraceCentres(execution);
+  execution.Report(0.2);
+  tracer.TraceRim(options.RimSamples, execution);
+  execution.Report(0.4);
+  Image<std::uint8_t> coverage = Median3x3(tracer.Take());
+  const auto area = static_cast<double>(std::count_if(coverage.Values.begin(),
+    coverage.Values.end(), [](std::uint8_t value) { return value > 127; }));
+  RemoveSmallRegions(coverage, true, 0.02 * area);
+  RemoveSmallRegions(coverage, false, 0.0005 * area);
+  return SignedContourDistance(static_cast<const Image<std::uint8_t>&>(coverage).Ref());
+}
+
+DeformationResult DeformOutlineByField(const TriangleMesh& mesh,
+  const std::vector<std::uint8_t>& visible, const std::vector<View>& views, const Camera& novel,
+  const FieldDeformationOptions& options, const DeformationListener& listener,
+  const Execution& execution)
+{
+  RequireMaps(views);
+  const double footprint = FootprintOf(views, mesh);
+  const FusedField field(views, options.Fusion, footprint);
+  const TriangleMesh facing = NovelProjection::FacingPart(mesh, novel);
+  const Image<float> silhouette =
+    FusedSilhouette(facing, field, novel, footprint, options, execution);
+  FieldOutlineDeformer deformer(mesh, visible, novel, silhouette);
+  DeformationResult result;
+  result.Converged = true;
+  result.Iterations = Iterate(options.Iterations, result, listener, execution,
+    [&](double fraction, DeformationState& state)
+    { deformer.MoveTo((fraction - 1) * deformer.Reach(), result, state); });
+  return result;
+}
+
+DeformationResult DeformNonOutlineByField(const TriangleMesh& mesh,
+  const std::vector<std::uint8_t>& active, const std::vector<View>& views, const Camera& novel,
+  const FieldDeformationOptions& options, const DeformationListener& listener,
+  const Execution& execution)
+{
+  RequireMaps(views);
+  const double footprint = FootprintOf(views, mesh);
+  const FusedField field(views, options.Fusion, footprint);
+  FieldRayDeformer deformer(mesh, active, novel, options);
+  deformer.FindSurface(field, footprint, execution);
+  deformer.Balance(execution);
+  DeformationResult result;
+  result.Converged = true;
+  result.Iterations = Iterate(options.Iterations, result, listener, execution,
+    [&](double fraction, DeformationState& state)
+    { deformer.MoveTo(fraction, footprint, result, state); });
+  return result;
+}
+}
