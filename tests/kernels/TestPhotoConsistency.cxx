@@ -80,6 +80,16 @@ TEST(PhotoConsistency, DifferenceByHandOnARamp)
     WindowDifference(a.AsView(), Vector2d(2, 5), a.AsView(), Vector2d(2.5, 5), 1), half, 1e-12);
 }
 
+TEST(PhotoConsistency, AWindowLargerThanTheLargestDoesNotOverrunItsBuffer)
+{
+  const Picture a([](int x, int) { return 10 * x; });
+  const Picture b([](int, int y) { return 10 * y; });
+  EXPECT_EQ(WindowDifference(a.AsView(), Middle, b.AsView(), Middle, 40),
+    WindowDifference(a.AsView(), Middle, b.AsView(), Middle, 7));
+  EXPECT_EQ(WindowMatcher(a.AsView(), Middle, 40).Similarity(b.AsView(), Middle),
+    WindowMatcher(a.AsView(), Middle, 7).Similarity(b.AsView(), Middle));
+}
+
 TEST(PhotoConsistency, SimilarityIsBlindToBrightnessAndContrast)
 {
   const Picture a([](int x, int y) { return 20 + (x * 7 + y * 13) % 90; });

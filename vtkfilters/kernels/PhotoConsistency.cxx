@@ -73,6 +73,7 @@ bool TooFew(int count, int radius)
 double WindowDifference(const View& key, const Vector2d& keyCentre, const View& other,
   const Vector2d& otherCentre, int radius)
 {
+  radius = std::min(radius, Window::MaxRadius);
   Window a;
   Window b;
   ReadWindow(key, keyCentre, radius, a);

@@ -15,7 +15,8 @@ namespace novelview
  *
  * over the (2 radius + 1)^2 pixels around both centres and the three channels. M is 0 where either
  * pixel is background. The least is 0 (equal windows); 1, the worst, is also what a window with
- * less than a quarter of its pixels in common says: such a window says nothing.
+ * less than a quarter of its pixels in common says: such a window says nothing. `radius` up to 7;
+ * more is cut to that.
  */
 double WindowDifference(const View& key, const Eigen::Vector2d& keyCentre, const View& other,
   const Eigen::Vector2d& otherCentre, int radius);
