@@ -35,6 +35,7 @@ public:
     , Run(execution)
     , Energies(mesh.Points.size())
     , Moves(mesh.Points.size(), 0)
+    , Partners(mesh.Points.size())
   {
     for (std::size_t ptId = 0; ptId < mesh.Points.size(); ++ptId)
     {
@@ -122,11 +123,18 @@ private:
     const double footprint = this->Novel.PixelFootprint(this->Novel.Depth(here));
     const Vector3d ray = (here - this->Centre).normalized();
     const int key = this->KeyOf(ptId);
-    std::vector<SubPoint> subPoints;
-    if (key >= 0)
+    // A point that stayed where it was, with the same key, has the same partners.
+    std::vector<SubPoint>& subPoints = this->Partners[ptId].SubPoints;
+    if (key != this->Partners[ptId].Key || here != this->Partners[ptId].Position)
     {
-      subPoints =
-        MatchSecondaries(here, this->Views, key, this->NeighbourViews[key], this->Options);
+      this->Partners[ptId].Key = key;
+      this->Partners[ptId].Position = here;
+      subPoints.clear();
+      if (key >= 0)
+      {
+        subPoints =
+          MatchSecondaries(here, this->Views, key, this->NeighbourViews[key], this->Options);
+      }
     }
     std::vector<Vector3d> neighbours;
     for (const int other : this->Neighbours.Points(ptId))
@@ -191,6 +199,13 @@ private:
   const Execution& Run;
   std::vector<PointEnergy> Energies;
   std::vector<double> Moves; ///< of each point, pixel footprints along its ray
+  struct PointPartners
+  {
+    int Key = -1;
+    Vector3d Position = Vector3d::Zero();
+    std::vector<SubPoint> SubPoints;
+  };
+  std::vector<PointPartners> Partners;
   std::vector<Vector3d> Normals;
   std::vector<Image<float>> DepthOfView;
 };

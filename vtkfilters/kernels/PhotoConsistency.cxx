@@ -11,32 +11,55 @@ namespace
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/** Is the pixel nearest to a position inside the frame and object? */
-bool IsObjectAt(const View& view, double x, double y)
+/** The three channels of a window's pixels, row by row, and which of them are object. */
+struct Window
 {
-  const int i = static_cast<int>(std::lround(x));
-  const int j = static_cast<int>(std::lround(y));
-  return view.Mask.Contains(i, j) && view.IsObject(i, j);
-}
+  static constexpr int MaxRadius = 7;
+  static constexpr int MaxPixels = (2 * MaxRadius + 1) * (2 * MaxRadius + 1);
 
-/** The three channels at a position inside the frame, bilinear. */
-void SampleColor(const View& view, double x, double y, float rgb[3])
+  float Values[3 * MaxPixels];
+  bool Valid[MaxPixels];
+};
+
+/**
+ * Reads a window around a position between pixels. A window's pixels are whole steps apart, so the
+ * four weights of the bilinear interpolation are the same for all of them. Pixels outside the frame
+ * are not valid.
+ */
+void ReadWindow(const View& view, const Vector2d& centre, int radius, Window& window)
 {
   const ImageRef<const std::uint8_t>& image = view.Color;
-  x = std::clamp(x, 0.0, image.Width - 1.0);
-  y = std::clamp(y, 0.0, image.Height - 1.0);
-  const int x0 = std::min(static_cast<int>(x), std::max(image.Width - 2, 0));
-  const int y0 = std::min(static_cast<int>(y), std::max(image.Height - 2, 0));
-  const float fx = static_cast<float>(x - x0);
-  const float fy = static_cast<float>(y - y0);
-  const std::uint8_t* a = image.Pixel(x0, y0);
-  const std::uint8_t* b = image.Pixel(x0, std::min(y0 + 1, image.Height - 1));
-  const int right = image.Width > 1 ? 3 : 0;
-  for (int channel = 0; channel < 3; ++channel)
+  const int side = 2 * radius + 1;
+  const int firstX = static_cast<int>(std::floor(centre.x())) - radius;
+  const int firstY = static_cast<int>(std::floor(centre.y())) - radius;
+  const auto fx = static_cast<float>(centre.x() - std::floor(centre.x()));
+  const auto fy = static_cast<float>(centre.y() - std::floor(centre.y()));
+  const int nearX = fx >= 0.5f ? 1 : 0;
+  const int nearY = fy >= 0.5f ? 1 : 0;
+  int n = 0;
+  for (int y = firstY; y < firstY + side; ++y)
   {
-    const float top = a[channel] + fx * (a[channel + right] - a[channel]);
-    const float bottom = b[channel] + fx * (b[channel + right] - b[channel]);
-    rgb[channel] = top + fy * (bottom - top);
+    for (int x = firstX; x < firstX + side; ++x, ++n)
+    {
+      window.Valid[n] =
+        view.Mask.Contains(x + nearX, y + nearY) && view.IsObject(x + nearX, y + nearY);
+      if (!window.Valid[n])
+      {
+        continue;
+      }
+      // At the frame's border the missing neighbour is the border pixel itself.
+      const int x0 = std::max(x, 0);
+      const int y0 = std::max(y, 0);
+      const int right = x >= 0 && x + 1 < image.Width ? 3 : 0;
+      const std::uint8_t* top = image.Pixel(x0, y0);
+      const std::uint8_t* bottom = y >= 0 && y + 1 < image.Height ? image.Pixel(x0, y0 + 1) : top;
+      for (int channel = 0; channel < 3; ++channel)
+      {
+        const float a = top[channel] + fx * (top[channel + right] - top[channel]);
+        const float b = bottom[channel] + fx * (bottom[channel + right] - bottom[channel]);
+        window.Values[3 * n + channel] = a + fy * (b - a);
+      }
+    }
   }
 }
 
@@ -50,31 +73,27 @@ bool TooFew(int count, int radius)
 double WindowDifference(const View& key, const Vector2d& keyCentre, const View& other,
   const Vector2d& otherCentre, int radius)
 {
+  Window a;
+  Window b;
+  ReadWindow(key, keyCentre, radius, a);
+  ReadWindow(other, otherCentre, radius, b);
   double squares = 0;
   double keyPower = 0;
   double otherPower = 0;
   int count = 0;
-  for (int j = -radius; j <= radius; ++j)
+  for (int n = 0; n < (2 * radius + 1) * (2 * radius + 1); ++n)
   {
-    for (int i = -radius; i <= radius; ++i)
+    if (!a.Valid[n] || !b.Valid[n])
     {
-      if (!IsObjectAt(key, keyCentre.x() + i, keyCentre.y() + j) ||
-        !IsObjectAt(other, otherCentre.x() + i, otherCentre.y() + j))
-      {
-        continue;
-      }
-      float a[3];
-      float b[3];
-      SampleColor(key, keyCentre.x() + i, keyCentre.y() + j, a);
-      SampleColor(other, otherCentre.x() + i, otherCentre.y() + j, b);
-      ++count;
-      for (int channel = 0; channel < 3; ++channel)
-      {
-        const double difference = a[channel] - b[channel];
-        squares += difference * difference;
-        keyPower += a[channel] * a[channel];
-        otherPower += b[channel] * b[channel];
-      }
+      continue;
+    }
+    ++count;
+    for (int i = 3 * n; i < 3 * n + 3; ++i)
+    {
+      const double difference = a.Values[i] - b.Values[i];
+      squares += difference * difference;
+      keyPower += a.Values[i] * a.Values[i];
+      otherPower += b.Values[i] * b.Values[i];
     }
   }
   if (TooFew(count, radius))
@@ -86,52 +105,42 @@ double WindowDifference(const View& key, const Vector2d& keyCentre, const View& 
 }
 
 WindowMatcher::WindowMatcher(const View& key, const Vector2d& keyCentre, int radius, double noise)
-  : Radius(radius)
+  : Radius(std::min(radius, Window::MaxRadius))
   , Noise(noise)
 {
-  const int side = 2 * radius + 1;
-  this->Key.resize(3 * side * side);
-  this->Valid.resize(side * side);
-  for (int n = 0; n < side * side; ++n)
-  {
-    const double x = keyCentre.x() + n % side - radius;
-    const double y = keyCentre.y() + n / side - radius;
-    this->Valid[n] = IsObjectAt(key, x, y);
-    if (this->Valid[n])
-    {
-      SampleColor(key, x, y, &this->Key[3 * n]);
-    }
-  }
+  const int pixels = (2 * this->Radius + 1) * (2 * this->Radius + 1);
+  Window window;
+  ReadWindow(key, keyCentre, this->Radius, window);
+  this->Key.assign(window.Values, window.Values + 3 * pixels);
+  this->Valid.assign(window.Valid, window.Valid + pixels);
 }
 
 double WindowMatcher::Similarity(const View& other, const Vector2d& otherCentre) const
 {
-  const int side = 2 * this->Radius + 1;
-  double sumA[3] = { 0, 0, 0 };
-  double sumB[3] = { 0, 0, 0 };
+  Window window;
+  ReadWindow(other, otherCentre, this->Radius, window);
+  float sumA[3] = { 0, 0, 0 };
+  float sumB[3] = { 0, 0, 0 };
   double squareA = 0;
   double squareB = 0;
   double product = 0;
   int count = 0;
-  for (int n = 0; n < side * side; ++n)
+  for (std::size_t n = 0; n < this->Valid.size(); ++n)
   {
-    const double x = otherCentre.x() + n % side - this->Radius;
-    const double y = otherCentre.y() + n / side - this->Radius;
-    if (!this->Valid[n] || !IsObjectAt(other, x, y))
+    if (!this->Valid[n] || !window.Valid[n])
     {
       continue;
     }
-    const float* a = &this->Key[3 * n];
-    float b[3];
-    SampleColor(other, x, y, b);
     ++count;
     for (int channel = 0; channel < 3; ++channel)
     {
-      sumA[channel] += a[channel];
-      sumB[channel] += b[channel];
-      squareA += a[channel] * a[channel];
-      squareB += b[channel] * b[channel];
-      product += a[channel] * b[channel];
+      const float a = this->Key[3 * n + channel];
+      const float b = window.Values[3 * n + channel];
+      sumA[channel] += a;
+      sumB[channel] += b;
+      squareA += a * a;
+      squareB += b * b;
+      product += a * b;
     }
   }
   if (TooFew(count, this->Radius))
@@ -140,9 +149,9 @@ double WindowMatcher::Similarity(const View& other, const Vector2d& otherCentre)
   }
   for (int channel = 0; channel < 3; ++channel)
   {
-    squareA -= sumA[channel] * sumA[channel] / count;
-    squareB -= sumB[channel] * sumB[channel] / count;
-    product -= sumA[channel] * sumB[channel] / count;
+    squareA -= static_cast<double>(sumA[channel]) * sumA[channel] / count;
+    squareB -= static_cast<double>(sumB[channel]) * sumB[channel] / count;
+    product -= static_cast<double>(sumA[channel]) * sumB[channel] / count;
   }
   const double floor = 3 * count * this->Noise;
   return std::max(product, 0.0) / std::sqrt((squareA + floor) * (squareB + floor));
