@@ -3,6 +3,7 @@
 
 #include <spdlog/fmt/fmt.h>
 #include <spdlog/sinks/stdout_sinks.h>
+#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <csignal>
@@ -44,11 +45,15 @@ Console::Console(Verbosity verbosity, std::FILE* out, std::FILE* err)
   {
     this->Terminal = out;
   }
+  // What the layers below log goes the same way, and is as quiet.
+  this->Before = spdlog::default_logger();
+  spdlog::set_default_logger(this->Out);
 }
 
 Console::~Console()
 {
   this->ClearBar();
+  spdlog::set_default_logger(this->Before);
 }
 
 bool Console::Progress(const std::string& what, double fraction)

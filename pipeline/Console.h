@@ -56,6 +56,7 @@ private:
 
   std::shared_ptr<spdlog::logger> Out;
   std::shared_ptr<spdlog::logger> Err;
+  std::shared_ptr<spdlog::logger> Before; ///< spdlog's default logger while there is no Console
   std::FILE* Terminal = nullptr; ///< where the bar is drawn; null = nowhere
   std::string Bar;               ///< as drawn last
   std::vector<std::pair<std::string, double>> Stages;

@@ -3,8 +3,8 @@
  * Pictures in files, to and from pixels with rows from the top and channels in the order RGB. The
  * format follows the extension: PNG, JPEG, TIFF, BMP, PPM and whatever else OpenCV was built with.
  *
- * Every function throws Error, naming the file. Writing goes through WriteAtomically, so folders are
- * made and a failed write leaves nothing behind.
+ * Every function throws Error, naming the file. Writing goes through WriteAtomically, so folders
+ * are made and a failed write leaves nothing behind.
  */
 #ifndef novelview_ImageFile_h
 #define novelview_ImageFile_h

@@ -11,7 +11,7 @@
 
 namespace novelview
 {
-/** A copy as a cv::Mat; channels keep their order. (cv::Mat cannot borrow: its stride is unsigned.) */
+/** A copy as a cv::Mat, which cannot borrow: its stride is unsigned. Channels keep their order. */
 template <class T>
 cv::Mat ToMat(const ImageRef<const T>& pixels)
 {

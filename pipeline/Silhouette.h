@@ -45,8 +45,10 @@ struct SilhouetteOptions
  *  4. Closing, the largest component, small holes filled.
  *  5. The rim is moved to where the difference is half of that just inside of it, since a bright
  *     object's blur is brighter than any low level.
+ *  6. Before a dark background, large regions next to the object that differ from it only when
+ *     smoothed are added: parts in deep shadow. Not so regions along the frame: a backdrop.
  *
- * Parts of the object as dark as a dark background cannot be told from it; give masks for those.
+ * Parts of the object no brighter than a dark background cannot be told from it; give masks then.
  * A photograph without any difference gives an empty silhouette.
  */
 Image<std::uint8_t> ExtractSilhouette(

@@ -17,6 +17,7 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkTypeTraits.h>
 
 #include <algorithm>
 
@@ -71,12 +72,14 @@ vtkSmartPointer<vtkImageData> NewImage(int width, int height)
 template <class T>
 ImageRef<T> AddTopDownArray(vtkImageData* image, const char* name, int channels)
 {
-  vtkNew<vtkAOSDataArrayTemplate<T>> array;
+  // Of the named class (vtkUnsignedCharArray, ...), which callers' SafeDownCasts look for.
+  const auto array =
+    vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(vtkTypeTraits<T>::VTKTypeID()));
   array->SetName(name);
   array->SetNumberOfComponents(channels);
   array->SetNumberOfTuples(image->GetNumberOfPoints());
   image->GetPointData()->AddArray(array);
-  return TopDown(image, array->GetPointer(0), channels);
+  return TopDown(image, static_cast<T*>(array->GetVoidPointer(0)), channels);
 }
 
 template <class T>
@@ -256,6 +259,10 @@ TriangleMesh ToTriangleMesh(vtkPolyData* poly, const std::string& where)
     {
       throw Error(where, "point " + std::to_string(ptId) + " is not finite");
     }
+  }
+  if (poly->GetNumberOfStrips() > 0)
+  {
+    throw Error(where, "a cell is not a triangle", "a strip", "triangles (see vtkTriangleFilter)");
   }
   mesh.Triangles.reserve(poly->GetNumberOfPolys());
   auto cells = vtk::TakeSmartPointer(poly->GetPolys()->NewIterator());

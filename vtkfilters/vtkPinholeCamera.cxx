@@ -10,6 +10,7 @@
 #include <vtkObjectFactory.h>
 
 #include <algorithm>
+#include <cmath>
 
 vtkStandardNewMacro(vtkPinholeCamera);
 
@@ -60,6 +61,10 @@ void vtkPinholeCamera::CopyToVTKCamera(vtkCamera* camera, double nearDepth, doub
   camera->SetFocalPoint(focus.data());
   camera->SetViewUp(up.data());
   camera->SetClippingRange(nearDepth, farDepth);
+  // Not used by the explicit projection below, but CopyFromVTKCamera and others read it.
+  camera->SetUseHorizontalViewAngle(false);
+  camera->SetViewAngle(
+    vtkMath::DegreesFromRadians(2 * std::atan(source.Height / (2 * source.K(1, 1)))));
 
   // Pixel x maps to normalised device x = 2 (x + 0.5) / width - 1, and y is turned upside down;
   // OpenGL's camera looks along -z, hence the signs of the third column.

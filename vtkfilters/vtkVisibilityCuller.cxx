@@ -2,6 +2,7 @@
 #include "vtkVisibilityCuller.h"
 
 #include "FilterSupport.h"
+#include "Rasteriser.h"
 #include "ViewAccess.h"
 #include "Visibility.h"
 #include "vtkPinholeCamera.h"
@@ -66,7 +67,12 @@ void CheckCamera(const novelview::Camera& camera, const novelview::TriangleMesh&
       return;
     }
   }
-  throw Error("novel camera", "no part of the object is in its frame: it looks away");
+  // A close-up may have all vertices outside the frame and the object across it.
+  const std::vector<int> cells = novelview::Rasterise(mesh, camera).CellId.Values;
+  if (std::all_of(cells.begin(), cells.end(), [](int cellId) { return cellId < 0; }))
+  {
+    throw Error("novel camera", "no part of the object is in its frame: it looks away");
+  }
 }
 }
 

@@ -21,7 +21,7 @@
  * Limits: a triangle with a corner behind the camera hides nothing.
  *
  * Errors: no camera, cells that are not triangles, a camera inside the (closed) mesh, a camera that
- * has no visible vertex in its frame.
+ * has nothing of the mesh in its frame.
  *
  * Reference: Chia, He and Lin 2013, section 2.1 and Figure 3.
  */

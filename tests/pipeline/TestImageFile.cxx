@@ -101,3 +101,12 @@ TEST(ImageFile, ErrorsNameTheFile)
               std::filesystem::directory_iterator()),
     2);
 }
+
+TEST(ImageFile, ATruncatedPngIsAnErrorNotHalfAPicture)
+{
+  const TemporaryFolder folder;
+  WriteImageFile(folder / "whole.png", Gradient(90, 90, 3).Ref());
+  const std::string whole = ReadText(folder / "whole.png");
+  WriteText(folder / "half.png", whole.substr(0, whole.size() / 2));
+  ExpectError([&] { ReadColorFile(folder / "half.png"); }, "half.png", "cannot be read");
+}

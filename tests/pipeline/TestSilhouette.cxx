@@ -106,6 +106,21 @@ TEST(Silhouette, KeepsThePartsOfAnObjectThatLieInShadow)
   EXPECT_LT(Iou(ExtractSilhouette(photo.Rgb.Ref(), halfway), photo.Truth), 0.8);
 }
 
+TEST(Silhouette, FindsTheHalfOfAnObjectThatAShadowAllButBlackens)
+{
+  // Below the shadow's soft edge the ball is three levels above the background, two sigmas of the
+  // noise: no threshold on single pixels can find it.
+  const Photo photo = Take(
+    [](double x, double y)
+    {
+      const bool ball = std::hypot(x - 80, y - 60) < 40;
+      const double light = 9 + 150 * std::clamp((62 + 0.2 * x - y) / 6, 0.0, 1.0);
+      return Seen{ ball ? Colour{ light, light, light } : Colour{ 6, 6, 6 }, ball };
+    });
+  // The dark half's rim is known to about a pixel, 125 of 5000.
+  EXPECT_GT(Iou(ExtractSilhouette(photo.Rgb.Ref()), photo.Truth), 0.95);
+}
+
 TEST(Silhouette, OfAnObjectThatLeavesTheFrameReachesTheFrame)
 {
   const Photo photo = Take([](double x, double y) { return GreyBall(x, y, 5); });

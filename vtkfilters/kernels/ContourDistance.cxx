@@ -86,7 +86,7 @@ private:
   {
     return this->Source(this->X + i * this->StepX, this->Y + i * this->StepY) / 255.0;
   }
-  /** Walks monotonically to the plateau; returns its index, or one past the start if there is none. */
+  /** Walks monotonically to the plateau; returns its index, or start - step without one. */
   int Follow(int start, int step, double plateau) const
   {
     double last = this->At(start);

@@ -39,8 +39,10 @@ public:
   {
     for (std::size_t ptId = 0; ptId < mesh.Points.size(); ++ptId)
     {
+      // Of a point that no photograph shows nothing is known, not even its distance to the hull.
       this->Active[ptId] = this->Active[ptId] && novel.Depth(mesh.Points[ptId]) > 0 &&
-        !this->Neighbours.Triangles(static_cast<int>(ptId)).empty();
+        !this->Neighbours.Triangles(static_cast<int>(ptId)).empty() &&
+        std::isfinite(this->Hull.Value(mesh.Points[ptId]));
     }
   }
 

@@ -194,6 +194,11 @@ public:
     std::vector<ReferenceDepth> result(this->Views.size());
     if (this->Footprint <= 0)
     {
+      for (std::size_t i = 0; i < result.size(); ++i)
+      {
+        const Camera& camera = this->Views[i].Cam;
+        result[i].Depth = result[i].Confidence = Image<float>(camera.Width, camera.Height);
+      }
       return result;
     }
     this->Run.ForEach(

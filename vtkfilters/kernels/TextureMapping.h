@@ -20,10 +20,11 @@ struct TextureOptions
   double Power = 8;
   /**
    * A photograph counts in full where the point projects this far inside its silhouette, and falls
-   * to nothing at BorderPx, so that no background bleeds in. Pixels.
+   * to nothing at BorderPx, so that no background bleeds in: bilinear interpolation reads pixels up
+   * to sqrt(2) away, which must all be inside. Pixels.
    */
   double FeatherPx = 2;
-  double BorderPx = 0.75;
+  double BorderPx = 1.5;
   /**
    * Softness of the occlusion test: a point that lies z deeper than what the reference sees there
    * counts exp(-(z / (OcclusionPx footprints))^2); 0 tests hard at one and a half footprints.

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Rasteriser.h"
+#include "support/Expect.h"
+#include "support/Scene.h"
+
+#include <Eigen/Dense>
+
+using namespace novelview;
+using namespace support;
+
+namespace
+{
+Camera SkewedCamera()
+{
+  Eigen::Matrix3d k;
+  k << 70, 3, 30, 0, 80, 25, 0, 0, 1;
+  return OnRing(25, 15, 4, k, 64, 48);
+}
+
+/** Depths at which a pixel's ray meets the triangles, and whether an edge is too near to tell. */
+struct RayHits
+{
+  std::vector<std::pair<double, int>> Hits;
+  bool Doubtful = false;
+};
+
+RayHits CastRay(const TriangleMesh& mesh, const Camera& camera, int x, int y)
+{
+  RayHits result;
+  const Vector3d centre = camera.Centre();
+  const Vector3d direction = camera.Unproject(Vector2d(x, y), 1) - centre;
+  for (std::size_t cellId = 0; cellId < mesh.Triangles.size(); ++cellId)
+  {
+    const Eigen::Vector3i& t = mesh.Triangles[cellId];
+    Eigen::Matrix3d corners;
+    corners << mesh.Points[t[0]] - centre, mesh.Points[t[1]] - centre, mesh.Points[t[2]] - centre;
+    // direction = corners * weights: the ray meets the triangle where no weight is negative.
+    const Vector3d weights = corners.inverse() * direction;
+    const double scale = weights.cwiseAbs().maxCoeff();
+    result.Doubtful = result.Doubtful || weights.cwiseAbs().minCoeff() < 1e-9 * scale;
+    if (weights.minCoeff() >= 0)
+    {
+      result.Hits.emplace_back(1 / weights.sum(), static_cast<int>(cellId));
+    }
+  }
+  std::sort(result.Hits.begin(), result.Hits.end());
+  return result;
+}
+}
+
+TEST(Rasteriser, AgreesWithRayCastingOnATriangleSoup)
+{
+  const TriangleMesh mesh = TriangleSoup(80, 0.6, 1);
+  const Camera camera = SkewedCamera();
+  const ItemBuffer nearest = Rasterise(mesh, camera);
+  const ItemBuffer farthest = Rasterise(mesh, camera, {}, KeepSurface::Farthest);
+  int compared = 0;
+  for (int y = 0; y < camera.Height; ++y)
+  {
+    for (int x = 0; x < camera.Width; ++x)
+    {
+      const RayHits rays = CastRay(mesh, camera, x, y);
+      if (rays.Doubtful)
+      {
+        continue;
+      }
+      ++compared;
+      if (rays.Hits.empty())
+      {
+        EXPECT_EQ(nearest.CellId(x, y), -1);
+        EXPECT_EQ(farthest.Depth(x, y), std::numeric_limits<float>::infinity());
+        continue;
+      }
+      EXPECT_EQ(nearest.CellId(x, y), rays.Hits.front().second);
+      EXPECT_EQ(farthest.CellId(x, y), rays.Hits.back().second);
+      // Depths are stored as float: seven digits.
+      EXPECT_NEAR(nearest.Depth(x, y), rays.Hits.front().first, 4e-6);
+      EXPECT_NEAR(farthest.Depth(x, y), rays.Hits.back().first, 4e-6);
+    }
+  }
+  EXPECT_GT(compared, 64 * 48 * 9 / 10);
+}
+
+TEST(Rasteriser, SharedEdgesLeaveNoCracks)
+{
+  // A jittered grid wider than the frame, and one whose edges run through the pixels' centres.
+  Camera camera;
+  camera.K << 1, 0, 0, 0, 1, 0, 0, 0, 1;
+  camera.Width = 64;
+  camera.Height = 48;
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform(-0.45, 0.45);
+  for (const double jitter : { 0.0, 1.0 })
+  {
+    TriangleMesh mesh = RectangleMesh(40, 40, 1, 80);
+    for (Vector3d& point : mesh.Points)
+    {
+      point += Vector3d(32, 24, 0) + jitter * Vector3d(uniform(random), uniform(random), 0);
+      point *= 1 + 0.3 * jitter * std::abs(uniform(random));
+    }
+    const ItemBuffer buffer = Rasterise(mesh, camera);
+    EXPECT_EQ(std::count(buffer.CellId.Values.begin(), buffer.CellId.Values.end(), -1), 0);
+  }
+}
+
+TEST(Rasteriser, TheLowestIdWinsATie)
+{
+  TriangleMesh mesh = RectangleMesh(5, 5);
+  mesh.Triangles = { mesh.Triangles[1], mesh.Triangles[0], mesh.Triangles[0], mesh.Triangles[1] };
+  for (const KeepSurface keep : { KeepSurface::Nearest, KeepSurface::Farthest })
+  {
+    const ItemBuffer buffer = Rasterise(mesh, SkewedCamera(), {}, keep);
+    EXPECT_THAT(buffer.CellId.Values, testing::Each(testing::AnyOf(0, 1)));
+  }
+}
+
+TEST(Rasteriser, DrawsBothSidesAndSkipsWhatReachesBehindTheCamera)
+{
+  TriangleMesh mesh = RectangleMesh(0.2, 0.2);
+  const ItemBuffer front = Rasterise(mesh, OnRing(0));
+  for (Eigen::Vector3i& t : mesh.Triangles)
+  {
+    std::swap(t[0], t[1]);
+  }
+  EXPECT_EQ(front.Depth.Values, Rasterise(mesh, OnRing(0)).Depth.Values);
+  mesh.Points[0].z() = 5; // the camera stands at 4
+  const ItemBuffer cut = Rasterise(mesh, OnRing(0));
+  EXPECT_TRUE(std::none_of(
+    cut.CellId.Values.begin(), cut.CellId.Values.end(), [](int id) { return id >= 0; }));
+}
+
+TEST(Rasteriser, AnEmptyMeshIsBackground)
+{
+  const ItemBuffer buffer = Rasterise({}, OnRing(0));
+  EXPECT_EQ(buffer.CellId.Width, 160);
+  EXPECT_THAT(buffer.CellId.Values, testing::Each(-1));
+}
+
+TEST(Rasteriser, SameBitsWithOneAndMoreThreads)
+{
+  const TriangleMesh mesh = TriangleSoup(300, 0.5, 7);
+  const ItemBuffer one = Rasterise(mesh, OnRing(10, 0, 4, SmallPictureK(100)));
+  const ItemBuffer three = Rasterise(mesh, OnRing(10, 0, 4, SmallPictureK(100)), InThreads(3));
+  EXPECT_EQ(one.CellId.Values, three.CellId.Values);
+  EXPECT_EQ(one.Depth.Values, three.Depth.Values);
+}
+
+TEST(Rasteriser, TheMiddleSubRayOfASupersampledPixelIsItsCentre)
+{
+  const Camera camera = SkewedCamera();
+  const Camera fine = Supersampled(camera, 3);
+  const Vector3d point(0.1, -0.3, 0.2);
+  EXPECT_LT((fine.Project(point) - (3 * camera.Project(point) + Vector2d(1, 1))).norm(), 1e-9);
+  EXPECT_EQ(fine.Width, 192);
+  EXPECT_EQ(fine.Height, 144);
+  const TriangleMesh mesh = TriangleSoup(60, 0.6, 2);
+  const ItemBuffer coarse = Rasterise(mesh, camera);
+  const ItemBuffer detailed = Rasterise(mesh, fine);
+  int different = 0;
+  for (int y = 0; y < camera.Height; ++y)
+  {
+    for (int x = 0; x < camera.Width; ++x)
+    {
+      different += coarse.CellId(x, y) != detailed.CellId(3 * x + 1, 3 * y + 1);
+    }
+  }
+  // The same rays; rounding may decide otherwise only where one runs exactly through an edge.
+  EXPECT_LE(different, 1);
+}
+
+TEST(Rasteriser, DepthBehindComparesWithTheDeepestOfNineNeighbours)
+{
+  Image<float> depth(5, 5, 1, 2.f);
+  depth(2, 1) = 2.5f;
+  depth(4, 4) = std::numeric_limits<float>::infinity();
+  const auto ref = std::as_const(depth).Ref();
+  EXPECT_DOUBLE_EQ(DepthBehind(ref, Vector2d(1.6, 2.4), 3), 0.5); // (2,2) sees (2,1)
+  EXPECT_DOUBLE_EQ(DepthBehind(ref, Vector2d(0, 4), 3), 1);
+  EXPECT_DOUBLE_EQ(DepthBehind(ref, Vector2d(4, 4), 1.5), -0.5); // infinity is no surface
+  EXPECT_EQ(DepthBehind(ref, Vector2d(9, 9), 3), -std::numeric_limits<double>::infinity());
+}

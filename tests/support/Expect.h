@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef support_Expect_h
+#define support_Expect_h
+
+#include "Error.h"
+#include "Execution.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace support
+{
+/** Expects the message of the Error that `body` throws to hold `text`. */
+template <class Body>
+void ExpectError(const Body& body, const std::string& text)
+{
+  try
+  {
+    body();
+    ADD_FAILURE() << "no error, expected one with: " << text;
+  }
+  catch (const novelview::Error& error)
+  {
+    EXPECT_THAT(error.what(), testing::HasSubstr(text));
+  }
+}
+
+/** Cuts every loop into pieces of uneven length that `count` threads work on at the same time. */
+inline novelview::Execution InThreads(int count)
+{
+  novelview::Execution execution;
+  execution.ParallelFor = [count](std::int64_t size, const novelview::Execution::RangeBody& body)
+  {
+    std::vector<std::thread> threads;
+    for (int part = 0; part < count; ++part)
+    {
+      const std::int64_t begin = size * part * part / (count * count);
+      const std::int64_t end = size * (part + 1) * (part + 1) / (count * count);
+      if (begin < end)
+      {
+        threads.emplace_back([&body, begin, end] { body(begin, end); });
+      }
+    }
+    for (std::thread& thread : threads)
+    {
+      thread.join();
+    }
+  };
+  return execution;
+}
+}
+
+#endif

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "TextureMapping.h"
+#include "Threads.h"
+#include "support/VtkScene.h"
+#include "vtkViewDependentTextureMapper.h"
+
+#include <vtkPointData.h>
+
+using namespace novelview;
+using namespace support;
+
+namespace
+{
+struct PlaneCase
+{
+  std::vector<Photo> Photos =
+    TakeAll(Rectangle(0.6, 0.4), Waves(0.4), { OnRing(-20), OnRing(25, 10) });
+  vtkSmartPointer<vtkMultiBlockDataSet> Blocks = ToBlocks(Photos);
+  TriangleMesh Mesh = RectangleMesh(0.6, 0.4);
+  Camera Novel = OnRing(5);
+
+  vtkSmartPointer<vtkViewDependentTextureMapper> Mapper() const
+  {
+    auto mapper = vtkSmartPointer<vtkViewDependentTextureMapper>::New();
+    mapper->SetInputData(0, ToPolyData(this->Mesh));
+    mapper->SetInputData(1, this->Blocks);
+    mapper->SetCamera(NewPinholeCamera(this->Novel));
+    return mapper;
+  }
+};
+
+const PlaneCase& TheCase()
+{
+  static const PlaneCase plane;
+  return plane;
+}
+
+template <class T>
+std::vector<T> Values(vtkImageData* image, const char* name, int channels)
+{
+  const auto rows = TopDownArray<const T>(image, name, channels, "output", true);
+  std::vector<T> values;
+  for (int y = 0; y < rows.Height; ++y)
+  {
+    values.insert(values.end(), rows.Row(y), rows.Row(y) + rows.Width * channels);
+  }
+  return values;
+}
+}
+
+TEST(TextureMapper, GivesTheKernelsPictureTheRightWayUp)
+{
+  const PlaneCase& plane = TheCase();
+  const auto mapper = plane.Mapper();
+  mapper->SetReferences(2);
+  mapper->SetPower(3);
+  mapper->SetFeatherWidth(1);
+  mapper->SetOcclusionSoftness(4);
+  mapper->SetRimSamples(2); // raised to 3
+  mapper->Update();
+  TextureOptions options;
+  options.References = 2;
+  options.Power = 3;
+  options.FeatherPx = 1;
+  options.OcclusionPx = 4;
+  options.RimSamples = 3;
+  const auto expected =
+    TextureView(plane.Mesh, nullptr, ViewsOf(plane.Photos), plane.Novel, options);
+  vtkImageData* output = mapper->GetOutput();
+  EXPECT_EQ(output->GetDimensions()[0], 160);
+  EXPECT_EQ(output->GetDimensions()[1], 120);
+  EXPECT_EQ(Values<unsigned char>(output, "Color", 3), expected.Color.Values);
+  EXPECT_EQ(Values<unsigned char>(output, "Mask", 1), expected.Mask.Values);
+  EXPECT_EQ(Values<float>(output, "Depth", 1), expected.Depth.Values);
+  EXPECT_EQ(Values<int>(output, "CellId", 1), expected.CellId.Values);
+  EXPECT_EQ(Values<unsigned char>(output, "Seen", 1), expected.Seen.Values);
+  EXPECT_STREQ(output->GetPointData()->GetScalars()->GetName(), "Color");
+}
+
+TEST(TextureMapper, UsesTheOccludersOfItsThirdPort)
+{
+  const PlaneCase& plane = TheCase();
+  const auto mapper = plane.Mapper();
+  const TriangleMesh plate = RectangleMesh(0.25, 0.25, 0.1);
+  mapper->SetInputData(2, ToPolyData(plate));
+  mapper->Update();
+  const auto expected = TextureView(plane.Mesh, &plate, ViewsOf(plane.Photos), plane.Novel);
+  EXPECT_EQ(Values<unsigned char>(mapper->GetOutput(), "Color", 3), expected.Color.Values);
+  EXPECT_NE(Values<unsigned char>(mapper->GetOutput(), "Seen", 1),
+    TextureView(plane.Mesh, nullptr, ViewsOf(plane.Photos), plane.Novel).Seen.Values);
+}
+
+TEST(TextureMapper, FollowsItsCameraInPlaceAndSize)
+{
+  const auto mapper = TheCase().Mapper();
+  mapper->Update();
+  const auto first = Values<unsigned char>(mapper->GetOutput(), "Color", 3);
+  Camera other = OnRing(-10);
+  other.Width = 100;
+  other.Height = 90;
+  FromCamera(other, mapper->GetCamera());
+  mapper->Update();
+  EXPECT_EQ(mapper->GetOutput()->GetDimensions()[0], 100);
+  EXPECT_EQ(mapper->GetOutput()->GetDimensions()[1], 90);
+  FromCamera(TheCase().Novel, mapper->GetCamera());
+  mapper->Update();
+  EXPECT_EQ(Values<unsigned char>(mapper->GetOutput(), "Color", 3), first);
+}
+
+TEST(TextureMapper, OneOrTwoThreadsGiveTheSamePicture)
+{
+  const auto mapper = TheCase().Mapper();
+  SetNumberOfThreads(1);
+  mapper->Update();
+  const auto first = Values<unsigned char>(mapper->GetOutput(), "Color", 3);
+  SetNumberOfThreads(2);
+  mapper->Modified();
+  mapper->Update();
+  EXPECT_EQ(Values<unsigned char>(mapper->GetOutput(), "Color", 3), first);
+  SetNumberOfThreads(0);
+}
+
+TEST(TextureMapper, SaysWhatIsWrong)
+{
+  const auto mapper = TheCase().Mapper();
+  mapper->SetCamera(nullptr);
+  ExpectUpdateError(mapper, "novel camera: none is set");
+  Camera noSize = TheCase().Novel;
+  noSize.Width = 0;
+  mapper->SetCamera(NewPinholeCamera(noSize));
+  ExpectUpdateError(mapper, "novel camera: image size is not positive (got 0x120");
+  mapper->SetCamera(NewPinholeCamera(TheCase().Novel));
+  const auto blocks = ToBlocks(TheCase().Photos);
+  vtkImageData::SafeDownCast(blocks->GetBlock(1))->GetPointData()->RemoveArray("Color");
+  mapper->SetInputData(1, blocks);
+  ExpectUpdateError(mapper, "view 1 (p1): point array Color is missing");
+  mapper->SetInputData(1, TheCase().Blocks);
+  mapper->Update();
+  EXPECT_EQ(mapper->GetOutput()->GetNumberOfPoints(), 160 * 120) << "and recovers";
+}
+
+TEST(TextureMapper, AnEmptyMeshIsABlackPicture)
+{
+  const auto mapper = TheCase().Mapper();
+  mapper->SetInputData(0, ToPolyData({}));
+  mapper->Update();
+  EXPECT_THAT(Values<unsigned char>(mapper->GetOutput(), "Mask", 1), testing::Each(0));
+}
+
+TEST(TextureMapper, PrintsEveryMember)
+{
+  ExpectPrints(TheCase().Mapper(),
+    { "Camera", "References", "Power", "FeatherWidth", "OcclusionSoftness", "UseDepthMaps",
+      "RimSamples" });
+}
