@@ -7,7 +7,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 out=${1:-$root/out}
 build=${NOVELVIEW_BUILD:-$root/build}
 unset DISPLAY
-"$root/app/setup.sh"
+"$root/app/setup.sh" novelview
 "$build/bin/novelview" generate --out "$out/bunny" --mesh bunny --texture wood --views 12 --step 30 \
   --size 640x480 --test-angles 15
 "$build/bin/novelview" run "$out/bunny" --out "$out/novel" \
