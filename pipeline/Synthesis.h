@@ -49,7 +49,7 @@ struct SynthesisOptions
 
   // ---- depth maps of the photographs
   bool UseDepthMaps = false;    ///< estimate them, and let deformers and mapper use them
-  double SilhouettePrior = 0.2; ///< weight of "object" when the outline is decided by them
+  double SilhouettePrior = 0.12;///< weight of "object" when the outline is decided by them
 
   // ---- texture mapper
   int References = 3;           ///< photographs blended per pixel

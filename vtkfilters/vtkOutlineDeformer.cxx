@@ -33,7 +33,7 @@ int vtkOutlineDeformer::RequestData(
       {
         novelview::FieldDeformationOptions options;
         options.Iterations = this->NumberOfIterations;
-        options.Fusion.SilhouettePrior = this->SilhouettePrior;
+        options.Outline.SilhouettePrior = this->SilhouettePrior;
         novelview::DeformOutlineByField(
           mesh, visible, views, camera, options, listener, novelview::ExecutionFor(this));
       }

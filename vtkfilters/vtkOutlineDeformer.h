@@ -75,7 +75,7 @@ public:
   ///@{
   /**
    * With UseDepthMaps: weight of "object" against the photographs' votes when it is decided whether
-   * a ray meets any. Larger values carve less. Default 0.2, range 0 to 10.
+   * a ray meets any. Larger values carve less. Default 0.12, range 0 to 10.
    */
   vtkSetClampMacro(SilhouettePrior, double, 0.0, 10.0);
   vtkGetMacro(SilhouettePrior, double);
@@ -94,7 +94,7 @@ protected:
   double SearchRange = 2.0;
   int WindowRadius = 3;
   double ContourSigma = 8.0;
-  double SilhouettePrior = 0.2;
+  double SilhouettePrior = 0.12;
 
 private:
   vtkOutlineDeformer(const vtkOutlineDeformer&) = delete;

@@ -597,7 +597,7 @@ DeformationResult DeformOutlineByField(const TriangleMesh& mesh,
 {
   RequireMaps(views);
   const double footprint = FootprintOf(views, mesh);
-  const FusedField field(views, options.Fusion, footprint);
+  const FusedField field(views, options.Outline, footprint);
   const TriangleMesh facing = NovelProjection::FacingPart(mesh, novel);
   const Image<float> silhouette =
     FusedSilhouette(facing, field, novel, footprint, options, execution);
@@ -617,7 +617,7 @@ DeformationResult DeformNonOutlineByField(const TriangleMesh& mesh,
 {
   RequireMaps(views);
   const double footprint = FootprintOf(views, mesh);
-  const FusedField field(views, options.Fusion, footprint);
+  const FusedField field(views, options.Surface, footprint);
   FieldRayDeformer deformer(mesh, active, novel, options);
   deformer.FindSurface(field, footprint, execution);
   deformer.Balance(execution);

@@ -19,7 +19,13 @@ struct FieldDeformationOptions
   int RimSamples = 3;  ///< sub-rays per pixel side where the silhouette's rim is decided
   double Smoothing = 0.15; ///< weight of a point's neighbours against its own surface
   int SmoothingSteps = 3;
-  FusionOptions Fusion;
+  /**
+   * How the depth maps vote where the surface is looked for, and where it is decided whether a ray
+   * meets any. A short truncation puts the outline where it belongs to a fraction of a pixel; a
+   * longer one finds the surface more steadily.
+   */
+  FusionOptions Surface{ 3, 0.05, 0.12 };
+  FusionOptions Outline{ 2, 0.05, 0.12 };
 };
 
 /**
