@@ -48,8 +48,8 @@ struct SynthesisOptions
   double NonOutlineAlpha = 0.3; ///< weight of the smoothness energy
 
   // ---- depth maps of the photographs
-  bool UseDepthMaps = false;    ///< estimate them, and let deformers and mapper use them
-  double SilhouettePrior = 0.12;///< weight of "object" when the outline is decided by them
+  bool UseDepthMaps = false;  ///< estimate them, and let deformers and mapper use them
+  double SilhouettePrior = 0; ///< weight of "object" when they decide the outline; 0 = found
 
   // ---- texture mapper
   int References = 3;           ///< photographs blended per pixel

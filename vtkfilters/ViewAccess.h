@@ -42,6 +42,7 @@ inline constexpr const char* Mask = "Mask";
 inline constexpr const char* ContourDistance = "ContourDistance";
 inline constexpr const char* Depth = "Depth";
 inline constexpr const char* Confidence = "Confidence";
+inline constexpr const char* SilhouettePrior = "SilhouettePrior";
 inline constexpr const char* CellId = "CellId";
 inline constexpr const char* Seen = "Seen";
 inline constexpr const char* CameraMatrix = "CameraMatrix";

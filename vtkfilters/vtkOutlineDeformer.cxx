@@ -5,11 +5,27 @@
 #include "FilterSupport.h"
 #include "OutlineDeformation.h"
 
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 
 vtkStandardNewMacro(vtkOutlineDeformer);
+
+namespace
+{
+/** The prior asked for; where none is, the one that came with the depth maps. */
+double PriorFor(double asked, vtkMultiBlockDataSet* views)
+{
+  vtkDataArray* found = views->GetFieldData()->GetArray(novelview::arrays::SilhouettePrior);
+  if (asked > 0 || !found || found->GetNumberOfTuples() < 1)
+  {
+    return asked > 0 ? asked : novelview::FusionOptions().SilhouettePrior;
+  }
+  return found->GetComponent(0, 0);
+}
+}
 
 //------------------------------------------------------------------------------
 int vtkOutlineDeformer::RequestData(
@@ -33,7 +49,8 @@ int vtkOutlineDeformer::RequestData(
       {
         novelview::FieldDeformationOptions options;
         options.Iterations = this->NumberOfIterations;
-        options.Outline.SilhouettePrior = this->SilhouettePrior;
+        options.Outline.SilhouettePrior =
+          PriorFor(this->SilhouettePrior, vtkMultiBlockDataSet::GetData(inputs[1]));
         novelview::DeformOutlineByField(
           mesh, visible, views, camera, options, listener, novelview::ExecutionFor(this));
       }

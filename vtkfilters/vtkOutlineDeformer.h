@@ -75,7 +75,8 @@ public:
   ///@{
   /**
    * With UseDepthMaps: weight of "object" against the photographs' votes when it is decided whether
-   * a ray meets any. Larger values carve less. Default 0.12, range 0 to 10.
+   * a ray meets any. Larger values carve less. 0, the default, takes the
+   * one that vtkReferenceDepthEstimator found for the data set. Range 0 to 10.
    */
   vtkSetClampMacro(SilhouettePrior, double, 0.0, 10.0);
   vtkGetMacro(SilhouettePrior, double);
@@ -94,7 +95,7 @@ protected:
   double SearchRange = 2.0;
   int WindowRadius = 3;
   double ContourSigma = 8.0;
-  double SilhouettePrior = 0.12;
+  double SilhouettePrior = 0;
 
 private:
   vtkOutlineDeformer(const vtkOutlineDeformer&) = delete;

@@ -3,7 +3,10 @@
 
 #include "FilterSupport.h"
 #include "ReferenceDepth.h"
+#include "SilhouettePrior.h"
 
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkMultiBlockDataSet.h>
@@ -58,6 +61,11 @@ int vtkReferenceDepthEstimator::RequestData(
         novelview::CopyToArray(depths[viewId].Confidence, novelview::arrays::Confidence, image);
         novelview::AppendView(output, views[viewId].Name, image, views[viewId].Cam);
       }
+      vtkNew<vtkDoubleArray> prior;
+      prior->SetName(novelview::arrays::SilhouettePrior);
+      prior->InsertNextValue(novelview::FindSilhouettePrior(
+        novelview::ReadViews(output, needs, 2), hull, {}, novelview::ExecutionFor(this)));
+      output->GetFieldData()->AddArray(prior);
     });
 }
 

@@ -15,7 +15,9 @@
  *  - in 1: vtkPolyData, a closed mesh around the object, such as the crust of the hull.
  *  - out 0: vtkMultiBlockDataSet, the same views (arrays shared) with two point arrays more:
  *      `Depth` (float, z in world units, 0 where there is no object),
- *      `Confidence` (float, 0 to 1).
+ *      `Confidence` (float, 0 to 1);
+ *    and a field array of the whole, `SilhouettePrior` (1 double): how much weight "object" needs at
+ *    the outline so that the maps do not carve into the silhouettes (SilhouettePrior.h).
  *
  * Differs from the paper: the whole stage is an addition; preset `paper` runs without it.
  *

@@ -14,9 +14,10 @@ namespace novelview
 {
 struct FieldDeformationOptions
 {
-  int Iterations = 10; ///< in how many steps the mesh goes there; the last one does not depend on it
-  double StepPx = 2;   ///< of the walk along the novel rays, input pixel footprints
-  int RimSamples = 3;  ///< sub-rays per pixel side where the silhouette's rim is decided
+  int Iterations =
+    10;               ///< in how many steps the mesh goes there; the last one does not depend on it
+  double StepPx = 2;  ///< of the walk along the novel rays, input pixel footprints
+  int RimSamples = 3; ///< sub-rays per pixel side where the silhouette's rim is decided
   double Smoothing = 0.15; ///< weight of a point's neighbours against its own surface
   int SmoothingSteps = 3;
   /**
@@ -36,9 +37,8 @@ struct FieldDeformationOptions
  * (FusedField::Walk); pixels at the rim are decided by sub-rays; then a 3x3 median, tiny holes
  * filled, tiny islands dropped.
  */
-Image<float> FusedSilhouette(const TriangleMesh& mesh, const FusedField& field,
-  const Camera& novel, double footprint, const FieldDeformationOptions& options,
-  const Execution& execution = {});
+Image<float> FusedSilhouette(const TriangleMesh& mesh, const FusedField& field, const Camera& novel,
+  double footprint, const FieldDeformationOptions& options, const Execution& execution = {});
 
 /**
  * The outline step guided by the field: outline points move in the plane through them parallel to

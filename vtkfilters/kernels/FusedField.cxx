@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace novelview
 {
@@ -87,9 +88,7 @@ FusedField::RayResult FusedField::Walk(
       continue;
     }
     inside += step;
-    // A longer chord of the hull makes it more likely that something of it is object.
-    const double wm =
-      this->Options.SilhouettePrior * (1 + 0.25 * std::min(6.0, inside / (50 * this->Footprint)));
+    const double wm = this->Options.SilhouettePrior * this->ChordFactor(inside);
     result.Least = std::min(result.Least, (f - wm) / (w + wm));
     const double value = (f - w0) / (w + w0);
     if (value > 0)
@@ -115,5 +114,29 @@ FusedField::RayResult FusedField::Walk(
     }
   }
   return result;
+}
+
+double FusedField::ChordFactor(double inside) const
+{
+  // A longer chord of the hull makes it more likely that something of it is object.
+  return 1 + 0.25 * std::min(6.0, inside / (50 * this->Footprint));
+}
+
+double FusedField::PriorNeeded(const Vector3d& origin, const Vector3d& direction, double from,
+  double to, double step, double enough) const
+{
+  double least = std::numeric_limits<double>::infinity();
+  double inside = 0;
+  for (double t = from; t <= to && least > enough; t += step)
+  {
+    double f;
+    double w;
+    if (this->Vote(origin + t * direction, f, w))
+    {
+      inside += step;
+      least = std::min(least, f / this->ChordFactor(inside));
+    }
+  }
+  return std::max(least, 0.0);
 }
 }

@@ -53,7 +53,16 @@ public:
   RayResult Walk(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, double from,
     double to, double step) const;
 
+  /**
+   * The least SilhouettePrior with which the ray counts as object; stops looking once it is no more
+   * than `enough`. Infinity when the ray leaves the silhouettes without meeting anything.
+   */
+  double PriorNeeded(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, double from,
+    double to, double step, double enough) const;
+
 private:
+  /** How much more the prior weighs after this length of ray inside every silhouette. */
+  double ChordFactor(double inside) const;
   struct Voter
   {
     Eigen::Matrix<double, 3, 4> P;
