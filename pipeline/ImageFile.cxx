@@ -4,6 +4,7 @@
 #include "AtomicFile.h"
 #include "Error.h"
 #include "OpenCvPixels.h"
+#include "StderrSilence.h"
 #include "ViewAccess.h"
 
 #include <opencv2/core/utils/logger.hpp>
@@ -17,7 +18,9 @@
 #include <array>
 #include <cstring>
 #include <fstream>
+#include <iterator>
 #include <mutex>
+#include <string>
 
 namespace novelview
 {
@@ -32,6 +35,23 @@ void SilenceOpenCv()
     once, [] { cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT); });
 }
 
+/**
+ * Whether a JPEG file lacks the end of its picture. OpenCV fills what is missing with grey and says
+ * nothing. Within the picture's data no marker can appear by chance, so after its start (FF DA)
+ * there is an end (FF D9), or the file is cut.
+ */
+bool IsTruncatedJpeg(const fs::path& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  if (file.get() != 0xff || file.get() != 0xd8)
+  {
+    return false;
+  }
+  const std::string rest((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  const std::size_t start = rest.rfind("\xff\xda");
+  return start == std::string::npos || rest.find("\xff\xd9", start) == std::string::npos;
+}
+
 cv::Mat Decode(const fs::path& path, int flags)
 {
   SilenceOpenCv();
@@ -43,13 +63,14 @@ cv::Mat Decode(const fs::path& path, int flags)
   cv::Mat mat;
   try
   {
+    const StderrSilence silence;
     mat = cv::imread(path.string(), flags);
   }
   catch (const cv::Exception& error)
   {
     throw Error(path.string(), "cannot be read as a picture: " + error.err);
   }
-  if (mat.empty())
+  if (mat.empty() || IsTruncatedJpeg(path))
   {
     throw Error(path.string(), "cannot be read as a picture");
   }

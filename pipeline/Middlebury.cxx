@@ -177,6 +177,30 @@ std::vector<NamedCamera> WithoutExcluded(
   return kept;
 }
 
+/**
+ * A photograph that was resized after its calibration would carve the object away. It shows where
+ * another photograph has the same K.
+ */
+void CheckSizes(const std::vector<NamedCamera>& cameras, const std::vector<Prepared>& prepared)
+{
+  for (std::size_t i = 1; i < cameras.size(); ++i)
+  {
+    int size[2][3];
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      prepared[i].Block->GetDimensions(size[0]);
+      prepared[j].Block->GetDimensions(size[1]);
+      if (cameras[i].Cam.K == cameras[j].Cam.K &&
+        (size[0][0] != size[1][0] || size[0][1] != size[1][1]))
+      {
+        throw Error("view " + cameras[i].Name,
+          "photograph has another size than " + cameras[j].Name + ", whose K is the same",
+          SizeText(size[0][0], size[0][1]), SizeText(size[1][0], size[1][1]));
+      }
+    }
+  }
+}
+
 /** Says which photographs had no mask, when others had. */
 std::string MissingMasks(
   const std::vector<NamedCamera>& cameras, const std::vector<Prepared>& prepared)
@@ -296,6 +320,7 @@ Dataset ReadDataset(const DatasetIndex& index, const DatasetOptions& options)
   std::vector<Prepared> prepared(cameras.size());
   ParallelForEach(
     cameras.size(), [&](std::size_t i) { prepared[i] = Prepare(index, cameras[i], options); });
+  CheckSizes(cameras, prepared);
   Dataset dataset;
   dataset.Views = vtkSmartPointer<vtkMultiBlockDataSet>::New();
   for (std::size_t i = 0; i < cameras.size(); ++i)

@@ -74,7 +74,7 @@ struct Dataset
 /**
  * Reads the photographs and masks, each once and in parallel (see LimitThreads()), extracts the
  * silhouettes that are missing, and computes the distances to their contours. Errors: a photograph
- * or mask unreadable, a mask unlike its photograph in size, a silhouette empty or full, a name to
+ * or mask unreadable, a mask unlike its photograph in size, photographs of one K but several sizes, a silhouette empty or full, a name to
  * exclude unknown, no photograph left.
  */
 Dataset ReadDataset(const DatasetIndex& index, const DatasetOptions& options = {});

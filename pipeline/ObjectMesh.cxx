@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 
 namespace novelview
 {
@@ -68,6 +69,22 @@ vtkSmartPointer<vtkPolyData> ReadWith(const std::string& file)
   return mesh;
 }
 
+/** VTK's reader crashes on a PLY file whose header is cut; so it never sees one. */
+void CheckPlyHeader(const std::string& file)
+{
+  std::ifstream stream(file, std::ios::binary);
+  std::string line;
+  const bool magic = std::getline(stream, line) && line.starts_with("ply");
+  while (magic && std::getline(stream, line))
+  {
+    if (line.starts_with("end_header"))
+    {
+      return;
+    }
+  }
+  throw Error(file, "is no readable mesh or holds no faces (the header of a PLY file has no end)");
+}
+
 vtkSmartPointer<vtkPolyData> ReadMeshFile(const std::string& file)
 {
   std::error_code failure;
@@ -89,6 +106,7 @@ vtkSmartPointer<vtkPolyData> ReadMeshFile(const std::string& file)
   }
   if (extension == ".ply")
   {
+    CheckPlyHeader(file);
     return ReadWith<vtkPLYReader>(file);
   }
   if (extension == ".stl")

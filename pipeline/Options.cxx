@@ -67,6 +67,18 @@ std::string TypeText(const Json& value)
     (text.size() > 40 ? text.substr(0, 37) + "..." : text);
 }
 
+/** x0 y0 z0 x1 y1 z1: every second value must be above the first. */
+void CheckBox(const std::vector<double>& values, const std::string& where)
+{
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    if (!(values[axis] < values[axis + 3]))
+    {
+      throw UsageError(where, "is no box", ListText(values), "x0,y0,z0,x1,y1,z1 with x0 < x1 ...");
+    }
+  }
+}
+
 template <class T>
 T ParsedNumber(const std::string& word, const std::string& where)
 {
@@ -174,6 +186,7 @@ public:
       throw UsageError(
         this->Where, "has the wrong length", std::to_string(values.size()) + " numbers", "6");
     }
+    CheckBox(values, this->Where);
     target->emplace();
     std::copy(values.begin(), values.end(), (*target)->begin());
   }
@@ -250,11 +263,14 @@ public:
       return;
     }
     this->Need(this->Value.is_array() && this->Value.size() == 6, "an array of 6 numbers");
-    target->emplace();
-    for (int i = 0; i < 6; ++i)
+    std::vector<double> values;
+    for (const Json& value : this->Value)
     {
-      (**target)[i] = this->Number(this->Value[i]);
+      values.push_back(this->Number(value));
     }
+    CheckBox(values, this->Where);
+    target->emplace();
+    std::copy(values.begin(), values.end(), (*target)->begin());
   }
   void operator()(std::vector<std::string>* target) const
   {

@@ -101,14 +101,13 @@ std::string ScoreLine(const std::string& name, const std::optional<Scores>& scor
   return text;
 }
 
-/** The oracle: the texture mapper on the true mesh. */
-void AddOracle(const Job& job, const Camera& camera, Synthesis& synthesis, RunReport& report)
+/** The oracle: the texture mapper on the true mesh, if there is one. */
+void AddOracle(vtkPolyData* trueMesh, const Camera& camera, Synthesis& synthesis, RunReport& report)
 {
-  if (!job.TrueMesh.empty())
+  if (trueMesh)
   {
-    const auto mesh = LoadObject(job.TrueMesh.string());
     NovelView oracle;
-    oracle.Image = synthesis.Texture(mesh, camera);
+    oracle.Image = synthesis.Texture(trueMesh, camera);
     report.AddStage("oracle", oracle);
   }
 }
@@ -122,6 +121,7 @@ void RunJob(const Job& job, Console& console)
   ValidateCamera(view.Cam, "novel camera");
   PrepareFolder(job.Out);
   const auto truth = ReadTruth(job, view);
+  const auto trueMesh = job.TrueMesh.empty() ? nullptr : LoadObject(job.TrueMesh.string());
   const Dataset dataset = ReadInput(job.Input, index, view.HeldOut, console);
 
   RunReport report(job.Out, truth);
@@ -141,7 +141,7 @@ void RunJob(const Job& job, Console& console)
   {
     report.AddStage(StageName(static_cast<Stage>(i)), stages[i]);
   }
-  AddOracle(job, view.Cam, synthesis, report);
+  AddOracle(trueMesh, view.Cam, synthesis, report);
   report.WriteMesh("visual_hull", synthesis.Hull());
   report.WriteMesh("power_crust", synthesis.Crust());
   report.WriteMesh("medial_balls", synthesis.MedialBalls());

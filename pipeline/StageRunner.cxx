@@ -95,7 +95,11 @@ void RunStage(const std::string& stage, vtkAlgorithm* filter, const StageProgres
   }
   if (!observer.FirstError.empty())
   {
-    throw Error(stage, observer.FirstError);
+    // Kernels say where as well, and often that is the stage itself.
+    const std::string where = stage + ": ";
+    throw Error(stage,
+      observer.FirstError.starts_with(where) ? observer.FirstError.substr(where.size())
+                                             : observer.FirstError);
   }
   if (done && observer.Executed)
   {

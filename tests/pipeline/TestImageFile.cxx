@@ -108,5 +108,19 @@ TEST(ImageFile, ATruncatedPngIsAnErrorNotHalfAPicture)
   WriteImageFile(folder / "whole.png", Gradient(90, 90, 3).Ref());
   const std::string whole = ReadText(folder / "whole.png");
   WriteText(folder / "half.png", whole.substr(0, whole.size() / 2));
+  testing::internal::CaptureStderr();
   ExpectError([&] { ReadColorFile(folder / "half.png"); }, "half.png", "cannot be read");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << "the Error is all that is said";
+}
+
+TEST(ImageFile, ATruncatedJpegIsAnErrorNotHalfAPicture)
+{
+  const TemporaryFolder folder;
+  WriteImageFile(folder / "whole.jpg", Gradient(90, 90, 3).Ref());
+  EXPECT_EQ(ReadColorFile(folder / "whole.jpg").Width, 90);
+  const std::string whole = ReadText(folder / "whole.jpg");
+  WriteText(folder / "half.jpg", whole.substr(0, whole.size() - 100));
+  testing::internal::CaptureStderr();
+  ExpectError([&] { ReadColorFile(folder / "half.jpg"); }, "half.jpg", "cannot be read");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << "the Error is all that is said";
 }
