@@ -175,7 +175,7 @@ TEST(CommandLine, HelpTellsEveryOptionWithDefaultAndUnit)
     EXPECT_THAT(help.Out, HasSubstr(option.Unit));
   }
   EXPECT_THAT(help.Out, HasSubstr("default: " + ValueText(OptionsOf(job)[0]).append("none")));
-  EXPECT_THAT(help.Out, HasSubstr("(px; 0.25 to 100; default: "));
+  EXPECT_THAT(help.Out, HasSubstr("(px; 0.25 to 64; default: "));
   EXPECT_THAT(
     Parse({ "generate", "--help" }).Out, HasSubstr("(px; 16 to 16384; default: 640x480)"));
   EXPECT_THAT(Parse({ "--help" }).Out, HasSubstr("render"));

@@ -99,10 +99,11 @@ TEST(Job, BadValuesOnTheCommandLineAreNamed)
     [](const std::string& key, const std::vector<std::string>& words, const auto&... parts)
   { ExpectError([&] { MakeJob("bunny", With(key, words)); }, parts...); };
   expect("hullSpacing", { "two" }, "--hull-spacing", "is no number", "'two'");
-  expect("hullSpacing", { "0" }, "--hull-spacing", "out of range", "got 0", "0.25 to 100");
+  expect("hullSpacing", { "0" }, "--hull-spacing", "out of range", "got 0", "0.25 to 64");
   expect("hullSpacing", { "nan" }, "--hull-spacing", "out of range");
   expect("references", { "2.5" }, "--references", "no whole number", "'2.5'");
   expect("hullBox", { "1", "2" }, "--hull-box", "got 2 numbers, expected 6");
+  expect("hullBox", { "1", "0", "0", "0", "1", "1" }, "--hull-box", "is no box", "got 1,0,0,0,1,1");
   expect("hullKeepAll", { "yes" }, "--hull-keep-all", "true or false");
   expect("stage", { "mesh" }, "--stage", "'mesh'", "hull, outline, full");
   expect("preset", { "bst" }, "--preset", "'bst'", "best, paper");
