@@ -279,19 +279,31 @@ std::vector<SubPoint> MatchSecondaries(const Vector3d& point, const std::vector<
     const Vector2d start = camera.Project(point);
     const Vector2d across(-along.y(), along.x());
     double best = 0;
+    int bestAlong = 0;
     Vector2d bestPixel;
+    const auto look = [&](int i, int j)
+    {
+      const Vector2d pixel = start + i * along + j * across;
+      const double similarity =
+        camera.InFrame(pixel) ? matcher.Similarity(views[viewId], pixel) : 0;
+      if (similarity > best)
+      {
+        best = similarity;
+        bestAlong = i;
+        bestPixel = pixel;
+      }
+    };
     for (int i = -options.MatchRangePx; i <= options.MatchRangePx; ++i)
     {
-      for (int j = -options.MatchAcrossPx; j <= options.MatchAcrossPx; ++j)
+      look(i, 0);
+    }
+    const int onLine = bestAlong;
+    for (int j = 1; j <= options.MatchAcrossPx; ++j)
+    {
+      for (int i = onLine - 1; i <= onLine + 1; ++i)
       {
-        const Vector2d pixel = start + i * along + j * across;
-        const double similarity =
-          camera.InFrame(pixel) ? matcher.Similarity(views[viewId], pixel) : 0;
-        if (similarity > best)
-        {
-          best = similarity;
-          bestPixel = pixel;
-        }
+        look(i, -j);
+        look(i, j);
       }
     }
     SubPoint sub;

@@ -20,7 +20,7 @@ struct NonOutlineOptions
   int WindowRadius = 3;       ///< of the matching windows, input pixels
   int Secondaries = 2;        ///< the key's neighbours
   int MatchRangePx = 6;       ///< search range along the epipolar line, each way, input pixels
-  int MatchAcrossPx = 1;      ///< and across it (calibration error), each way
+  int MatchAcrossPx = 1;      ///< and, about the best there, across it (calibration error)
 };
 
 /** A point triangulated between the key image and one secondary. */
