@@ -126,7 +126,9 @@ void RunJob(const Job& job, Console& console)
 
   RunReport report(job.Out, truth);
   DesktopState desktop;
-  desktop.Title = ViewSpecText(job.View) + " of " + index.Folder.filename().string();
+  desktop.Title = (job.View.What == ViewSpec::Kind::File ? job.View.Name : ViewSpecText(job.View)) +
+    " of " + index.Folder.filename().string();
+  desktop.DisplacementRangePx = 16;
   desktop.Views = dataset.Views;
   desktop.Novel = view.Cam;
   SynthesisListener listener = ListenerFor(console);

@@ -25,8 +25,8 @@ struct FieldDeformationOptions
    * meets any. A short truncation puts the outline where it belongs to a fraction of a pixel; a
    * longer one finds the surface more steadily.
    */
-  FusionOptions Surface{ 3, 0.05, 0.12 };
-  FusionOptions Outline{ 2, 0.05, 0.12 };
+  FusionOptions Surface{ 5, 0.1, 0.12 };
+  FusionOptions Outline{ 3, 0.05, 0.12 };
 };
 
 /**

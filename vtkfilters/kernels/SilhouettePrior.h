@@ -12,7 +12,7 @@ namespace novelview
 {
 struct SilhouettePriorOptions
 {
-  FusionOptions Fusion{ 2, 0.05, 0.12 };
+  FusionOptions Fusion{ 3, 0.05, 0.12 };
   double AcceptedLoss = 0.01; ///< part of a silhouette that may be declared empty
   double Least = 0.12;
   double Most = 2;
