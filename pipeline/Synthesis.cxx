@@ -16,6 +16,8 @@
 #include <vtkCallbackCommand.h>
 #include <vtkNew.h>
 
+#include <algorithm>
+
 namespace novelview
 {
 SynthesisOptions PresetOptions(const std::string& preset)
@@ -37,6 +39,23 @@ SynthesisOptions PresetOptions(const std::string& preset)
     return options;
   }
   throw Error("preset", "unknown", preset, "best or paper");
+}
+
+namespace
+{
+/** A picture without a single pixel of the object is nothing to hand out silently. */
+void RequireObject(vtkImageData* image)
+{
+  const auto mask = TopDownArray<const unsigned char>(image, arrays::Mask, 1, "novel view", true);
+  for (int y = 0; y < mask.Height; ++y)
+  {
+    if (std::any_of(mask.Row(y), mask.Row(y) + mask.Width, [](auto value) { return value > 127; }))
+    {
+      return;
+    }
+  }
+  throw Error("novel camera", "the object covers no pixel of its picture: it is too far away");
+}
 }
 
 class Synthesis::Internals
@@ -138,6 +157,7 @@ public:
         view.Mesh = vtkSmartPointer<vtkPolyData>::New();
         view.Mesh->ShallowCopy(filter->GetOutput());
         view.Image = this->Textured(view.Mesh, "texture");
+        RequireObject(view.Image);
       }
     };
     add(this->Culler, Stage::Hull);

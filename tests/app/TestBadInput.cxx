@@ -247,6 +247,13 @@ TEST_F(BadInput, VirtualCameraLookingAway)
     1, { "novel camera", "looks away" }, this->ViewFrom(centre, 2 * centre - this->Target()));
 }
 
+TEST_F(BadInput, VirtualCameraTooFarAwayGivesNoBlankPicture)
+{
+  const Eigen::Vector3d target = this->Target();
+  this->ExpectFailure(1, { "novel camera", "covers no pixel" },
+    this->ViewFrom(target + 1e6 * (this->Centre() - target), target));
+}
+
 TEST_F(BadInput, OutputThatCannotBeWritten)
 {
   WriteText(this->Folder / "file", "not a folder");
