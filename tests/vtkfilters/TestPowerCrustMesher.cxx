@@ -4,17 +4,23 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <vtkCallbackCommand.h>
+#include <vtkCleanPolyData.h>
 #include <vtkDoubleArray.h>
 #include <vtkFeatureEdges.h>
 #include <vtkFloatArray.h>
+#include <vtkHausdorffDistancePointSetFilter.h>
 #include <vtkIdTypeArray.h>
+#include <vtkLinearSubdivisionFilter.h>
 #include <vtkMassProperties.h>
 #include <vtkNew.h>
+#include <vtkOBJReader.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <sstream>
 
 namespace
@@ -167,6 +173,56 @@ TEST(PowerCrustMesher, RunsTwiceWithTheSameResultAndLeavesTheInputAlone)
     }
   }
   EXPECT_EQ(samples->GetMTime(), before);
+}
+
+TEST(PowerCrustMesher, BunnysCrustLiesOnTheBunny)
+{
+  const std::string file = "/usr/share/glmark2/models/bunny.obj";
+  if (!std::filesystem::exists(file))
+  {
+    GTEST_SKIP() << "bunny.obj of glmark2-data is not installed";
+  }
+  vtkNew<vtkOBJReader> reader;
+  reader->SetFileName(file.c_str());
+  vtkNew<vtkCleanPolyData> truth;
+  truth->SetInputConnection(reader->GetOutputPort());
+  truth->Update();
+  vtkNew<vtkPolyData> samples;
+  samples->SetPoints(truth->GetOutput()->GetPoints());
+  vtkNew<vtkPowerCrustMesher> mesher;
+  mesher->SetInputData(samples);
+
+  // Both have the same vertices, so what differs shows in the middle of edges.
+  vtkNew<vtkLinearSubdivisionFilter> fineCrust;
+  fineCrust->SetInputConnection(mesher->GetOutputPort());
+  vtkNew<vtkLinearSubdivisionFilter> fineTruth;
+  fineTruth->SetInputConnection(truth->GetOutputPort());
+  vtkNew<vtkHausdorffDistancePointSetFilter> hausdorff;
+  hausdorff->SetInputConnection(0, fineCrust->GetOutputPort());
+  hausdorff->SetInputConnection(1, fineTruth->GetOutputPort());
+  hausdorff->SetTargetDistanceMethodToPointToCell();
+  hausdorff->Update();
+
+  double longestEdge = 0;
+  vtkPolyData* mesh = truth->GetOutput();
+  for (vtkIdType cellId = 0; cellId < mesh->GetNumberOfCells(); ++cellId)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    mesh->GetCellPoints(cellId, size, ids);
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      double a[3];
+      double b[3];
+      mesh->GetPoint(ids[i], a);
+      mesh->GetPoint(ids[(i + 1) % size], b);
+      longestEdge = std::max(longestEdge, std::sqrt(vtkMath::Distance2BetweenPoints(a, b)));
+    }
+  }
+  // Edges that join the wrong samples bridge gaps; right ones stay within the sampling's spacing,
+  // and well so: a point of an edge is no further from the surface than half of its length.
+  EXPECT_GT(hausdorff->GetHausdorffDistance(), 0);
+  EXPECT_LT(hausdorff->GetHausdorffDistance(), 0.5 * longestEdge);
 }
 
 TEST(PowerCrustMesher, NoPointsAreNoError)
