@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "VisualHull.h"
 
+#include "DisjointSets.h"
 #include "SearchBox.h"
 #include "SilhouetteField.h"
 #include "ViewSelection.h"
@@ -9,7 +10,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 
 namespace novelview
 {
@@ -263,9 +263,8 @@ class ComponentFinder
 {
 public:
   explicit ComponentFinder(const std::vector<CellSample>& samples)
-    : Parent(samples.size())
+    : Sets(static_cast<int>(samples.size()))
   {
-    std::iota(this->Parent.begin(), this->Parent.end(), 0);
     std::vector<std::pair<std::uint64_t, int>> keys(samples.size());
     for (std::size_t i = 0; i < samples.size(); ++i)
     {
@@ -278,15 +277,7 @@ public:
     }
   }
 
-  int Root(int i)
-  {
-    while (this->Parent[i] != i)
-    {
-      this->Parent[i] = this->Parent[this->Parent[i]];
-      i = this->Parent[i];
-    }
-    return i;
-  }
+  int Root(int i) { return this->Sets.Find(i); }
 
 private:
   static std::uint64_t Key(const Vector3i& cell)
@@ -309,20 +300,13 @@ private:
         auto it = std::lower_bound(keys.begin(), keys.end(), std::make_pair(low, -1));
         for (; it != keys.end() && it->first <= high; ++it)
         {
-          this->Unite(sampleId, it->second);
+          this->Sets.Unite(sampleId, it->second);
         }
       }
     }
   }
 
-  void Unite(int a, int b)
-  {
-    a = this->Root(a);
-    b = this->Root(b);
-    this->Parent[std::max(a, b)] = std::min(a, b);
-  }
-
-  std::vector<int> Parent;
+  DisjointSets Sets;
 };
 
 void KeepLargestComponent(std::vector<CellSample>& samples, bool keepAll, VisualHullResult& result)
