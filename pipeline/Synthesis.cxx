@@ -31,10 +31,12 @@ SynthesisOptions PresetOptions(const std::string& preset)
   if (preset == "best")
   {
     options.UseDepthMaps = true;
+    options.ContourPrediction = true;
     options.References = 4;
     options.Power = 16;
     options.FeatherPx = 20;
     options.OcclusionSoftness = 1.5;
+    options.ExposureGains = true;
     options.RimSamples = 3;
     return options;
   }
@@ -104,8 +106,12 @@ public:
     }
     this->Outline->SetUseDepthMaps(options.UseDepthMaps);
     this->Outline->SetSilhouettePrior(options.SilhouettePrior);
+    this->Outline->SetUseContourPrediction(options.ContourPrediction);
+    this->Outline->SetDepthNoise(options.DepthNoise);
+    this->NonOutline->SetDepthNoise(options.DepthNoise);
     this->NonOutline->SetUseDepthMaps(options.UseDepthMaps);
     this->Mapper->SetUseDepthMaps(options.UseDepthMaps);
+    this->Mapper->SetUseExposureGains(options.ExposureGains);
     this->Mapper->SetFeatherWidth(options.FeatherPx);
     this->Mapper->SetOcclusionSoftness(options.OcclusionSoftness);
     this->Mapper->SetRimSamples(options.RimSamples);

@@ -48,14 +48,17 @@ struct SynthesisOptions
   double NonOutlineAlpha = 0.3; ///< weight of the smoothness energy
 
   // ---- depth maps of the photographs
-  bool UseDepthMaps = false;  ///< estimate them, and let deformers and mapper use them
-  double SilhouettePrior = 0; ///< weight of "object" when they decide the outline; 0 = found
+  bool UseDepthMaps = false;      ///< estimate them, and let deformers and mapper use them
+  double SilhouettePrior = 0;     ///< weight of "object" when they decide the outline; 0 = found
+  double DepthNoise = 0;          ///< by how much they are off, pixel footprints; 0 = measured
+  bool ContourPrediction = false; ///< refine the outline by the photographs' contours
 
   // ---- texture mapper
   int References = 3;           ///< photographs blended per pixel
   double Power = 8.0;           ///< m of the weight W^m
   double FeatherPx = 2.0;       ///< a photograph's weight grows over this from its contour inwards
   double OcclusionSoftness = 0; ///< pixel footprints; 0 = hard
+  bool ExposureGains = false;   ///< bring the photographs to one exposure; needs depth maps
   int RimSamples = 1;           ///< sub-rays per pixel side at the rim; 1 = no antialiasing
 };
 

@@ -214,9 +214,28 @@ std::vector<View> ReadViews(
       TopDownArray<const float>(image, arrays::ContourDistance, 1, where, needs.ContourDistance);
     view.DepthMap = TopDownArray<const float>(image, arrays::Depth, 1, where, false);
     view.Confidence = TopDownArray<const float>(image, arrays::Confidence, 1, where, false);
+    view.Gain = AttachedNumber(image, arrays::ExposureGain, 1);
+    if (!(view.Gain > 0))
+    {
+      throw Error(where, "ExposureGain is out of range", std::to_string(view.Gain), "more than 0");
+    }
     result.push_back(view);
   }
   return result;
+}
+
+void AttachNumber(vtkDataObject* to, const char* name, double value)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->InsertNextValue(value);
+  to->GetFieldData()->AddArray(array);
+}
+
+double AttachedNumber(vtkDataObject* to, const char* name, double otherwise)
+{
+  vtkDataArray* found = to ? to->GetFieldData()->GetArray(name) : nullptr;
+  return found && found->GetNumberOfTuples() > 0 ? found->GetComponent(0, 0) : otherwise;
 }
 
 Camera ToCamera(vtkPinholeCamera* camera)

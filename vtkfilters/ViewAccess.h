@@ -12,6 +12,10 @@
  *               Depth            float       optional: depth in world units, 0 = unknown
  *               Confidence       float       optional: of the depth, 0 to 1
  *   field data  CameraMatrix (9, row-major), Rotation (9, row-major), Translation (3)
+ *               ExposureGain     double      optional: brightness against the mean of all
+ *
+ * and, once there are depth maps, two numbers in the field data of the whole: DepthNoise and
+ * SilhouettePrior (see vtkReferenceDepthEstimator).
  *
  * Functions throw novelview::Error.
  */
@@ -27,6 +31,7 @@
 #include <string>
 #include <vector>
 
+class vtkDataObject;
 class vtkFloatArray;
 class vtkImageData;
 class vtkMultiBlockDataSet;
@@ -42,7 +47,9 @@ inline constexpr const char* Mask = "Mask";
 inline constexpr const char* ContourDistance = "ContourDistance";
 inline constexpr const char* Depth = "Depth";
 inline constexpr const char* Confidence = "Confidence";
+inline constexpr const char* DepthNoise = "DepthNoise";
 inline constexpr const char* SilhouettePrior = "SilhouettePrior";
+inline constexpr const char* ExposureGain = "ExposureGain";
 inline constexpr const char* CellId = "CellId";
 inline constexpr const char* Seen = "Seen";
 inline constexpr const char* CameraMatrix = "CameraMatrix";
@@ -76,6 +83,11 @@ void CopyToArray(const Image<T>& from, const char* name, vtkImageData* to);
 /** Writes a camera into the field arrays of an image block, or reads it back. */
 VTKNOVELVIEWFILTERS_EXPORT void AttachCamera(vtkImageData* image, const Camera& camera);
 VTKNOVELVIEWFILTERS_EXPORT Camera AttachedCamera(vtkImageData* image, const std::string& where);
+
+/** A number in the field data of an image or of all views; `otherwise` when there is none. */
+VTKNOVELVIEWFILTERS_EXPORT void AttachNumber(vtkDataObject* to, const char* name, double value);
+VTKNOVELVIEWFILTERS_EXPORT double AttachedNumber(
+  vtkDataObject* to, const char* name, double otherwise);
 
 /** Appends a block. */
 VTKNOVELVIEWFILTERS_EXPORT void AppendView(

@@ -31,8 +31,8 @@ int vtkNonOutlineDeformer::RequestData(
       { this->TellIteration(state, input); };
       if (this->UseDepthMaps)
       {
-        novelview::FieldDeformationOptions options;
-        options.Iterations = this->NumberOfIterations;
+        const novelview::FieldDeformationOptions options =
+          this->FieldOptions(vtkDataObject::GetData(inputs[1]));
         // Points nobody sees are at the rim of what is seen; left behind they would be spikes.
         std::fill(active.begin(), active.end(), 1);
         novelview::DeformNonOutlineByField(

@@ -5,27 +5,11 @@
 #include "FilterSupport.h"
 #include "OutlineDeformation.h"
 
-#include <vtkDataArray.h>
-#include <vtkFieldData.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 
 vtkStandardNewMacro(vtkOutlineDeformer);
-
-namespace
-{
-/** The prior asked for; where none is, the one that came with the depth maps. */
-double PriorFor(double asked, vtkMultiBlockDataSet* views)
-{
-  vtkDataArray* found = views->GetFieldData()->GetArray(novelview::arrays::SilhouettePrior);
-  if (asked > 0 || !found || found->GetNumberOfTuples() < 1)
-  {
-    return asked > 0 ? asked : novelview::FusionOptions().SilhouettePrior;
-  }
-  return found->GetComponent(0, 0);
-}
-}
 
 //------------------------------------------------------------------------------
 int vtkOutlineDeformer::RequestData(
@@ -47,10 +31,13 @@ int vtkOutlineDeformer::RequestData(
       { this->TellIteration(state, input); };
       if (this->UseDepthMaps)
       {
-        novelview::FieldDeformationOptions options;
-        options.Iterations = this->NumberOfIterations;
-        options.Outline.SilhouettePrior =
-          PriorFor(this->SilhouettePrior, vtkMultiBlockDataSet::GetData(inputs[1]));
+        vtkDataObject* maps = vtkDataObject::GetData(inputs[1]);
+        novelview::FieldDeformationOptions options = this->FieldOptions(maps);
+        options.Outline.SilhouettePrior = this->SilhouettePrior > 0
+          ? this->SilhouettePrior
+          : novelview::AttachedNumber(
+              maps, novelview::arrays::SilhouettePrior, options.Outline.SilhouettePrior);
+        options.Silhouette.PredictionWeight *= this->UseContourPrediction;
         novelview::DeformOutlineByField(
           mesh, visible, views, camera, options, listener, novelview::ExecutionFor(this));
       }
@@ -80,4 +67,5 @@ void vtkOutlineDeformer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "WindowRadius: " << this->WindowRadius << "\n";
   os << indent << "ContourSigma: " << this->ContourSigma << "\n";
   os << indent << "SilhouettePrior: " << this->SilhouettePrior << "\n";
+  os << indent << "UseContourPrediction: " << this->UseContourPrediction << "\n";
 }

@@ -26,7 +26,8 @@
  * With UseDepthMaps the positions come from the views' depth maps instead: outline points move, in
  * the same plane, onto the contour of the silhouette that the fused maps show to the novel camera,
  * and the strip they sweep is cut away (FieldDeformation.h); `EnergyPhoto` is then the distance to
- * that contour in pixels and the other terms are 0.
+ * that contour in pixels and the other terms are 0. With UseContourPrediction that contour is
+ * refined by the one interpolated from the photographs' contours, which takes the place of E_c.
  *
  * Reference: Chia, He and Lin 2013, section 2.2.
  */
@@ -82,6 +83,16 @@ public:
   vtkGetMacro(SilhouettePrior, double);
   ///@}
 
+  ///@{
+  /**
+   * With UseDepthMaps: refine the outline by the contour interpolated from the photographs' own
+   * (ContourPrediction.h). Default on.
+   */
+  vtkSetMacro(UseContourPrediction, bool);
+  vtkGetMacro(UseContourPrediction, bool);
+  vtkBooleanMacro(UseContourPrediction, bool);
+  ///@}
+
 protected:
   vtkOutlineDeformer() = default;
   ~vtkOutlineDeformer() override = default;
@@ -96,6 +107,7 @@ protected:
   int WindowRadius = 3;
   double ContourSigma = 8.0;
   double SilhouettePrior = 0;
+  bool UseContourPrediction = true;
 
 private:
   vtkOutlineDeformer(const vtkOutlineDeformer&) = delete;

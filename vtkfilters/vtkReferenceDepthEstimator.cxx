@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkReferenceDepthEstimator.h"
 
+#include "FieldDeformation.h"
 #include "FilterSupport.h"
+#include "MapComparison.h"
 #include "ReferenceDepth.h"
 #include "SilhouettePrior.h"
+#include "ViewSelection.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
@@ -28,6 +31,41 @@ int vtkReferenceDepthEstimator::FillInputPortInformation(int port, vtkInformatio
   info->Set(
     vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkMultiBlockDataSet" : "vtkPolyData");
   return 1;
+}
+
+namespace
+{
+/** What the maps tell about each other: noise, prior of the outline, exposures. */
+void AttachComparisons(vtkMultiBlockDataSet* output, const novelview::TriangleMesh& hull,
+  const novelview::Execution& execution)
+{
+  novelview::ViewNeeds needs;
+  needs.Color = needs.ContourDistance = true;
+  const std::vector<novelview::View> views = novelview::ReadViews(output, needs, 2);
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& point : hull.Points)
+  {
+    box.extend(point);
+  }
+  const double footprint =
+    hull.Points.empty() ? 0 : novelview::MedianFootprint(views, box.center());
+  if (footprint <= 0)
+  {
+    return; // no maps, nothing to compare
+  }
+  const double noise = novelview::DepthNoise(views, footprint, execution);
+  novelview::SilhouettePriorOptions prior;
+  prior.Fusion = novelview::OptionsForNoise(noise).Outline;
+  novelview::AttachNumber(output, novelview::arrays::DepthNoise, noise);
+  novelview::AttachNumber(output, novelview::arrays::SilhouettePrior,
+    novelview::FindSilhouettePrior(views, hull, prior, execution));
+  const std::vector<double> gains = novelview::ExposureGains(views, footprint, execution);
+  for (unsigned int viewId = 0; viewId < views.size(); ++viewId)
+  {
+    novelview::AttachNumber(
+      novelview::ViewImage(output, viewId), novelview::arrays::ExposureGain, gains[viewId]);
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -61,11 +99,7 @@ int vtkReferenceDepthEstimator::RequestData(
         novelview::CopyToArray(depths[viewId].Confidence, novelview::arrays::Confidence, image);
         novelview::AppendView(output, views[viewId].Name, image, views[viewId].Cam);
       }
-      vtkNew<vtkDoubleArray> prior;
-      prior->SetName(novelview::arrays::SilhouettePrior);
-      prior->InsertNextValue(novelview::FindSilhouettePrior(
-        novelview::ReadViews(output, needs, 2), hull, {}, novelview::ExecutionFor(this)));
-      output->GetFieldData()->AddArray(prior);
+      AttachComparisons(output, hull, novelview::ExecutionFor(this));
     });
 }
 

@@ -2,6 +2,7 @@
 #include "vtkViewDeformer.h"
 
 #include "Deformation.h"
+#include "FieldDeformation.h"
 #include "FilterSupport.h"
 
 #include <vtkDoubleArray.h>
@@ -121,6 +122,16 @@ int vtkViewDeformer::FillInputPortInformation(int port, vtkInformation* info)
 }
 
 //------------------------------------------------------------------------------
+novelview::FieldDeformationOptions vtkViewDeformer::FieldOptions(vtkDataObject* views)
+{
+  novelview::FieldDeformationOptions options = novelview::OptionsForNoise(this->DepthNoise > 0
+      ? this->DepthNoise
+      : novelview::AttachedNumber(views, novelview::arrays::DepthNoise, 0));
+  options.Iterations = this->NumberOfIterations;
+  return options;
+}
+
+//------------------------------------------------------------------------------
 void vtkViewDeformer::TellIteration(const novelview::DeformationState& state, vtkPolyData* input)
 {
   vtkNew<vtkPolyData> mesh;
@@ -152,6 +163,7 @@ void vtkViewDeformer::PrintSelf(ostream& os, vtkIndent indent)
   novelview::PrintCamera(os, indent, this->Camera);
   os << indent << "NumberOfIterations: " << this->NumberOfIterations << "\n";
   os << indent << "UseDepthMaps: " << this->UseDepthMaps << "\n";
+  os << indent << "DepthNoise: " << this->DepthNoise << "\n";
   os << indent << "Iteration: " << this->Iteration << "\n";
   os << indent << "PointsMoved: " << this->PointsMoved << "\n";
   os << indent << "MeanEnergy: " << this->MeanEnergy << "\n";

@@ -30,6 +30,7 @@ class vtkPinholeCamera;
 namespace novelview
 {
 struct DeformationState;
+struct FieldDeformationOptions;
 }
 
 class VTKNOVELVIEWFILTERS_EXPORT vtkViewDeformer : public vtkPolyDataAlgorithm
@@ -67,6 +68,16 @@ public:
   ///@}
 
   ///@{
+  /**
+   * With UseDepthMaps: by how many input pixel footprints the maps are off. The more, the more
+   * steadily and the less finely they are followed (FieldDeformation.h). 0, the default, takes what
+   * vtkReferenceDepthEstimator measured. Range 0 to 10.
+   */
+  vtkSetClampMacro(DepthNoise, double, 0.0, 10.0);
+  vtkGetMacro(DepthNoise, double);
+  ///@}
+
+  ///@{
   /** State of the iteration that IterationEvent tells of; of the last one after an update. */
   vtkPolyData* GetCurrentMesh();
   vtkGetMacro(Iteration, int);
@@ -91,6 +102,8 @@ protected:
   /** Packs a state into CurrentMesh and the means, and invokes IterationEvent. */
   void TellIteration(const novelview::DeformationState& state, vtkPolyData* input);
 
+  /** How the depth maps of these views are followed. */
+  novelview::FieldDeformationOptions FieldOptions(vtkDataObject* views);
   /** Name of the second energy array: `EnergyContour` or `EnergyHull`. */
   virtual const char* ContourArrayName() const = 0;
   /** Whether the points this filter moves are the outline points. */
@@ -100,6 +113,7 @@ protected:
   vtkSmartPointer<vtkPolyData> CurrentMesh;
   int NumberOfIterations = 10;
   bool UseDepthMaps = false;
+  double DepthNoise = 0;
   int Iteration = 0;
   vtkIdType PointsMoved = 0;
   double MeanEnergy = 0;

@@ -98,6 +98,7 @@ int vtkViewDependentTextureMapper::RequestData(
       options.FeatherPx = this->FeatherWidth;
       options.OcclusionPx = this->OcclusionSoftness;
       options.UseDepthMaps = this->UseDepthMaps;
+      options.UseGains = this->UseExposureGains;
       options.RimSamples = this->RimSamples | 1;
       const novelview::TexturedView result = novelview::TextureView(mesh,
         occluders ? &*occluders : nullptr, views, camera, options, novelview::ExecutionFor(this));
@@ -123,5 +124,6 @@ void vtkViewDependentTextureMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FeatherWidth: " << this->FeatherWidth << "\n";
   os << indent << "OcclusionSoftness: " << this->OcclusionSoftness << "\n";
   os << indent << "UseDepthMaps: " << this->UseDepthMaps << "\n";
+  os << indent << "UseExposureGains: " << this->UseExposureGains << "\n";
   os << indent << "RimSamples: " << this->RimSamples << "\n";
 }

@@ -15,7 +15,7 @@
  * Ports:
  *  - in 0: vtkPolyData, triangles.
  *  - in 1: vtkMultiBlockDataSet, the views (see ViewAccess.h) with `Color`, `Mask`,
- *    `ContourDistance`, and `Depth` when UseDepthMaps is on.
+ *    `ContourDistance`, and `Depth` when UseDepthMaps is on; field array `ExposureGain`.
  *  - in 2 (optional): vtkPolyData, triangles that also stand between photographs and mesh, such as
  *    those a vtkVisibilityCuller removed.
  *  - out 0: vtkImageData of the camera's size (bottom-up rows) with point arrays
@@ -29,7 +29,8 @@
  * Differs from the paper: photographs that do not see V are left out; the weight falls towards the
  * silhouette's border (FeatherWidth); rim pixels are antialiased against black (RimSamples; 1 is
  * the paper's); occlusion may be soft and tested against the views' own depth maps
- * (OcclusionSoftness, UseDepthMaps; off is the paper's).
+ * (OcclusionSoftness, UseDepthMaps; off is the paper's); photographs of different exposure are
+ * brought to their mean (UseExposureGains; off is the paper's).
  *
  * Errors: no camera, cells that are not triangles, missing arrays.
  *
@@ -95,6 +96,13 @@ public:
   ///@}
 
   ///@{
+  /** Bring the photographs to one exposure by their `ExposureGain` where there is one. Default off. */
+  vtkSetMacro(UseExposureGains, bool);
+  vtkGetMacro(UseExposureGains, bool);
+  vtkBooleanMacro(UseExposureGains, bool);
+  ///@}
+
+  ///@{
   /**
    * Sub-rays per pixel side for the coverage of rim pixels; even values are raised by one.
    * Default 1 (no antialiasing), range 1 to 9.
@@ -120,6 +128,7 @@ protected:
   double FeatherWidth = 2.0;
   double OcclusionSoftness = 0.0;
   bool UseDepthMaps = false;
+  bool UseExposureGains = false;
   int RimSamples = 1;
 
 private:

@@ -107,7 +107,7 @@ TEST(FieldDeformation, TheFusedSilhouetteIsThatOfTheObject)
   const DentCase& dent = TheCase();
   const double footprint = MedianFootprint(dent.Views, Vector3d::Zero());
   const FusedField field(dent.Views, {}, footprint);
-  const auto silhouette = FusedSilhouette(dent.Mesh, field, dent.Novel, footprint, {});
+  const auto silhouette = FusedSilhouette(dent.Mesh, dent.Views, field, dent.Novel, footprint);
   const Photo truth = Take(Traced(dent.Truth, 0.6), Plain(1, 1, 1), dent.Novel, "novel");
   int wrong = 0;
   for (int y = 0; y < 120; ++y)

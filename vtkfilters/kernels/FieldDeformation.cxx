@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "FieldDeformation.h"
 
-#include "ContourDistance.h"
 #include "MeshNeighbours.h"
 #include "NonOutlineDeformation.h"
 #include "NovelProjection.h"
+#include "NovelWalker.h"
 #include "OutlineDeformation.h"
 #include "Rasteriser.h"
 #include "ViewSelection.h"
@@ -43,189 +43,6 @@ void RequireMaps(const std::vector<View>& views)
     if (view.DepthMap.Empty() || view.Confidence.Empty())
     {
       throw Error("view " + view.Name, "point array Depth or Confidence is missing");
-    }
-  }
-}
-
-// ---- the fused silhouette -----------------------------------------------------------------------
-
-/** Walks novel rays through the field, starting at the front of a mesh. */
-class NovelWalker
-{
-public:
-  NovelWalker(const FusedField& field, const Camera& novel, double reach, double step)
-    : Field(field)
-    , Novel(novel)
-    , Centre(novel.Centre())
-    , Reach(reach)
-    , Step(step)
-  {
-  }
-
-  /** The ray's parameter is the depth in the novel camera. */
-  FusedField::RayResult Walk(const Vector2d& pixel, double frontDepth) const
-  {
-    const Vector3d direction = this->Novel.Unproject(pixel, 1) - this->Centre;
-    return this->Field.Walk(this->Centre, direction, std::max(frontDepth, this->Step),
-      frontDepth + this->Reach, this->Step);
-  }
-
-private:
-  const FusedField& Field;
-  const Camera& Novel;
-  const Vector3d Centre;
-  const double Reach;
-  const double Step;
-};
-
-/** Coverage 0 to 255 of every pixel; first by its centre, then at the rim by sub-rays. */
-class SilhouetteTracer
-{
-public:
-  SilhouetteTracer(const ItemBuffer& front, const NovelWalker& walker, double margin)
-    : Front(front)
-    , Walker(walker)
-    , Margin(margin)
-    , Coverage(front.Depth.Width, front.Depth.Height)
-  {
-  }
-
-  void TraceCentres(const Execution& execution)
-  {
-    execution.ForEach(this->Coverage.Height,
-      [&](std::int64_t y)
-      {
-        for (int x = 0; x < this->Coverage.Width; ++x)
-        {
-          if (this->Front.Hit(x, static_cast<int>(y)))
-          {
-            const double depth = this->Front.Depth(x, static_cast<int>(y)) - this->Margin;
-            const auto met = this->Walker.Walk(Vector2d(x, static_cast<double>(y)), depth);
-            this->Coverage(x, static_cast<int>(y)) = met.Least < 0 ? 255 : 0;
-          }
-        }
-      });
-  }
-
-  void TraceRim(int samples, const Execution& execution)
-  {
-    const Image<std::uint8_t> centres = this->Coverage;
-    execution.ForEach(this->Coverage.Height,
-      [&](std::int64_t row)
-      {
-        const int y = static_cast<int>(row);
-        for (int x = 0; x < centres.Width; ++x)
-        {
-          if (IsRim(centres, x, y))
-          {
-            this->Coverage(x, y) = this->CoverageOf(x, y, samples);
-          }
-        }
-      });
-  }
-
-  Image<std::uint8_t> Take() { return std::move(this->Coverage); }
-
-private:
-  static bool IsRim(const Image<std::uint8_t>& centres, int x, int y)
-  {
-    for (int j = std::max(y - 1, 0); j <= std::min(y + 1, centres.Height - 1); ++j)
-    {
-      for (int i = std::max(x - 1, 0); i <= std::min(x + 1, centres.Width - 1); ++i)
-      {
-        if (centres(i, j) != centres(x, y))
-        {
-          return true;
-        }
-      }
-    }
-    return false;
-  }
-
-  std::uint8_t CoverageOf(int x, int y, int samples) const
-  {
-    // The mesh's front near the pixel: at the hull's own rim the centre may miss it.
-    double front = std::numeric_limits<double>::infinity();
-    for (int j = std::max(y - 1, 0); j <= std::min(y + 1, this->Coverage.Height - 1); ++j)
-    {
-      for (int i = std::max(x - 1, 0); i <= std::min(x + 1, this->Coverage.Width - 1); ++i)
-      {
-        front = std::min<double>(front, this->Front.Depth(i, j));
-      }
-    }
-    if (!std::isfinite(front))
-    {
-      return 0;
-    }
-    int hits = 0;
-    for (int n = 0; n < samples * samples; ++n)
-    {
-      const double dx = (n % samples + 0.5) / samples - 0.5;
-      const double dy = (n / samples + 0.5) / samples - 0.5;
-      hits += this->Walker.Walk(Vector2d(x + dx, y + dy), front - this->Margin).Least < 0;
-    }
-    return static_cast<std::uint8_t>(hits * 255 / (samples * samples));
-  }
-
-  const ItemBuffer& Front;
-  const NovelWalker& Walker;
-  const double Margin;
-  Image<std::uint8_t> Coverage;
-};
-
-Image<std::uint8_t> Median3x3(const Image<std::uint8_t>& image)
-{
-  Image<std::uint8_t> result = image;
-  for (int y = 1; y + 1 < image.Height; ++y)
-  {
-    for (int x = 1; x + 1 < image.Width; ++x)
-    {
-      std::uint8_t values[9];
-      for (int n = 0; n < 9; ++n)
-      {
-        values[n] = image(x + n % 3 - 1, y + n / 3 - 1);
-      }
-      std::nth_element(values, values + 4, values + 9);
-      result(x, y) = values[4];
-    }
-  }
-  return result;
-}
-
-/** Turns connected regions (4 neighbours) on one side of 127.5 that are too small to the other. */
-void RemoveSmallRegions(Image<std::uint8_t>& image, bool object, double leastArea)
-{
-  std::vector<std::uint8_t> seen(image.Values.size(), 0);
-  std::vector<int> region;
-  for (int start = 0; start < static_cast<int>(seen.size()); ++start)
-  {
-    if (seen[start] || (image.Values[start] > 127) != object)
-    {
-      continue;
-    }
-    region.assign(1, start);
-    seen[start] = 1;
-    for (std::size_t n = 0; n < region.size(); ++n)
-    {
-      const int x = region[n] % image.Width;
-      const int y = region[n] / image.Width;
-      for (const auto& [dx, dy] : { std::pair(-1, 0), { 1, 0 }, { 0, -1 }, { 0, 1 } })
-      {
-        const int other = region[n] + dy * image.Width + dx;
-        if (image.Ref().Contains(x + dx, y + dy) && !seen[other] &&
-          (image.Values[other] > 127) == object)
-        {
-          seen[other] = 1;
-          region.push_back(other);
-        }
-      }
-    }
-    if (static_cast<double>(region.size()) < leastArea)
-    {
-      for (const int pixel : region)
-      {
-        image.Values[pixel] = object ? 0 : 255;
-      }
     }
   }
 }
@@ -386,8 +203,8 @@ public:
   /** The depth of the field's surface on each active point's ray; 0 = it meets none. */
   void FindSurface(const FusedField& field, double footprint, const Execution& execution)
   {
-    const NovelWalker walker(
-      field, this->Novel, BoundingDiagonal(this->Mesh.Points), this->Options.StepPx * footprint);
+    const NovelWalker walker(field, this->Novel, BoundingDiagonal(this->Mesh.Points),
+      this->Options.Silhouette.StepPx * footprint);
     execution.ForEach(static_cast<std::int64_t>(this->Target.size()),
       [&](std::int64_t ptId)
       {
@@ -572,22 +389,14 @@ int Iterate(int iterations, DeformationResult& result, const DeformationListener
 }
 }
 
-Image<float> FusedSilhouette(const TriangleMesh& mesh, const FusedField& field, const Camera& novel,
-  double footprint, const FieldDeformationOptions& options, const Execution& execution)
+FieldDeformationOptions OptionsForNoise(double noise)
 {
-  const ItemBuffer front = Rasterise(mesh, novel, execution);
-  const NovelWalker walker(field, novel, BoundingDiagonal(mesh.Points), options.StepPx * footprint);
-  SilhouetteTracer tracer(front, walker, 1.5 * footprint);
-  tracer.TraceCentres(execution);
-  execution.Report(0.2);
-  tracer.TraceRim(options.RimSamples, execution);
-  execution.Report(0.4);
-  Image<std::uint8_t> coverage = Median3x3(tracer.Take());
-  const auto area = static_cast<double>(std::count_if(coverage.Values.begin(),
-    coverage.Values.end(), [](std::uint8_t value) { return value > 127; }));
-  RemoveSmallRegions(coverage, true, 0.02 * area);
-  RemoveSmallRegions(coverage, false, 0.0005 * area);
-  return SignedContourDistance(static_cast<const Image<std::uint8_t>&>(coverage).Ref());
+  FieldDeformationOptions options;
+  options.Surface.TruncationPx = std::clamp(2.5 + 4 * noise, 3.0, 6.0);
+  options.Surface.SurfacePrior = std::clamp(0.25 * noise, 0.05, 0.3);
+  options.Outline.TruncationPx = std::clamp(1.5 + 4 * noise, 2.0, 5.0);
+  options.Silhouette.SmoothingPx = std::clamp(noise, 0.0, 1.0);
+  return options;
 }
 
 DeformationResult DeformOutlineByField(const TriangleMesh& mesh,
@@ -600,7 +409,7 @@ DeformationResult DeformOutlineByField(const TriangleMesh& mesh,
   const FusedField field(views, options.Outline, footprint);
   const TriangleMesh facing = NovelProjection::FacingPart(mesh, novel);
   const Image<float> silhouette =
-    FusedSilhouette(facing, field, novel, footprint, options, execution);
+    FusedSilhouette(facing, views, field, novel, footprint, options.Silhouette, execution);
   FieldOutlineDeformer deformer(mesh, visible, novel, silhouette);
   DeformationResult result;
   result.Converged = true;

@@ -5,6 +5,7 @@
 #include "Deformation.h"
 #include "Execution.h"
 #include "FusedField.h"
+#include "FusedSilhouette.h"
 #include "ImageRef.h"
 #include "View.h"
 
@@ -14,31 +15,26 @@ namespace novelview
 {
 struct FieldDeformationOptions
 {
-  int Iterations =
-    10;               ///< in how many steps the mesh goes there; the last one does not depend on it
-  double StepPx = 2;  ///< of the walk along the novel rays, input pixel footprints
-  int RimSamples = 3; ///< sub-rays per pixel side where the silhouette's rim is decided
+  /** In how many steps the mesh goes there; the last one does not depend on it. */
+  int Iterations = 10;
+  FusedSilhouetteOptions Silhouette;
   double Smoothing = 0.15; ///< weight of a point's neighbours against its own surface
   int SmoothingSteps = 3;
   /**
    * How the depth maps vote where the surface is looked for, and where it is decided whether a ray
-   * meets any. A short truncation puts the outline where it belongs to a fraction of a pixel; a
-   * longer one finds the surface more steadily.
+   * meets any. A short truncation puts both where they belong to a fraction of a pixel; a longer
+   * one, and more of a prior, finds them more steadily.
    */
-  FusionOptions Surface{ 5, 0.1, 0.12 };
-  FusionOptions Outline{ 3, 0.05, 0.12 };
+  FusionOptions Surface{ 3, 0.05, 0.12 };
+  FusionOptions Outline{ 2, 0.05, 0.12 };
 };
 
 /**
- * The silhouette that the fused field shows to the novel camera, inside that of the mesh: signed
- * distance to its contour in novel pixels, positive inside.
- *
- * Every pixel of the mesh's silhouette is object when the field along its ray says so
- * (FusedField::Walk); pixels at the rim are decided by sub-rays; then a 3x3 median, tiny holes
- * filled, tiny islands dropped.
+ * The options for depth maps of which half disagree by more than `noise` input pixel footprints
+ * (DepthNoise): from about 0.15 for sharp photographs and exact cameras to 1 and more for masks and
+ * cameras that are off. Truncations, the surface's prior and the contour's smoothing grow with it.
  */
-Image<float> FusedSilhouette(const TriangleMesh& mesh, const FusedField& field, const Camera& novel,
-  double footprint, const FieldDeformationOptions& options, const Execution& execution = {});
+FieldDeformationOptions OptionsForNoise(double noise);
 
 /**
  * The outline step guided by the field: outline points move in the plane through them parallel to

@@ -9,6 +9,33 @@ namespace novelview
 {
 using Eigen::Vector3d;
 
+namespace
+{
+/** Extends a box by the surface that a view's depth map shows, every fourth pixel. */
+void ExtendByMap(const View& view, Eigen::AlignedBox3d& box)
+{
+  constexpr int every = 4;
+  for (int y = 0; y < view.DepthMap.Height; y += every)
+  {
+    for (int x = 0; x < view.DepthMap.Width; x += every)
+    {
+      if (view.DepthMap(x, y) > 0)
+      {
+        box.extend(view.Cam.Unproject(Eigen::Vector2d(x, y), view.DepthMap(x, y)));
+      }
+    }
+  }
+}
+
+/** Value at the middle of the parabola fitted to five evenly spaced values, the ends repeated. */
+double ParabolaAt(const std::vector<double>& values, int k)
+{
+  const int last = static_cast<int>(values.size()) - 1;
+  const auto at = [&](int i) { return values[std::clamp(i, 0, last)]; };
+  return (17 * at(k) + 12 * (at(k - 1) + at(k + 1)) - 3 * (at(k - 2) + at(k + 2))) / 35;
+}
+}
+
 FusedField::FusedField(
   const std::vector<View>& views, const FusionOptions& options, double footprint)
   : Options(options)
@@ -22,6 +49,27 @@ FusedField::FusedField(
     voter.P.col(3) = view.Cam.K * view.Cam.T;
     voter.From = &view;
     this->Voters.push_back(voter);
+    ExtendByMap(view, this->Bounds);
+  }
+  if (!this->Bounds.isEmpty())
+  {
+    const Vector3d margin = Vector3d::Constant(this->Tau + 4 * footprint);
+    this->Bounds = { this->Bounds.min() - margin, this->Bounds.max() + margin };
+  }
+}
+
+void FusedField::ClipToBounds(
+  const Vector3d& origin, const Vector3d& direction, double& from, double& to) const
+{
+  for (int axis = 0; axis < 3 && !this->Bounds.isEmpty(); ++axis)
+  {
+    if (direction[axis] != 0)
+    {
+      const double a = (this->Bounds.min()[axis] - origin[axis]) / direction[axis];
+      const double b = (this->Bounds.max()[axis] - origin[axis]) / direction[axis];
+      from = std::max(from, std::min(a, b));
+      to = std::min(to, std::max(a, b));
+    }
   }
 }
 
@@ -73,6 +121,7 @@ FusedField::RayResult FusedField::Walk(
   const Vector3d& origin, const Vector3d& direction, double from, double to, double step) const
 {
   RayResult result;
+  this->ClipToBounds(origin, direction, from, to);
   const double w0 = this->Options.SurfacePrior;
   double inside = 0; // length of the ray inside every silhouette so far
   double previous = from;
@@ -116,6 +165,91 @@ FusedField::RayResult FusedField::Walk(
   return result;
 }
 
+void FusedField::VoteOfMaps(const Vector3d& x, double& f, double& w) const
+{
+  f = 0;
+  w = 0;
+  for (const Voter& voter : this->Voters)
+  {
+    const Vector3d p = voter.P.leftCols<3>() * x + voter.P.col(3);
+    const View& view = *voter.From;
+    const int u = static_cast<int>(std::floor(p.x() / p.z() + 0.5));
+    const int v = static_cast<int>(std::floor(p.y() / p.z() + 0.5));
+    if (p.z() <= 0 || !view.DepthMap.Contains(u, v))
+    {
+      continue;
+    }
+    const double depth = view.DepthMap(u, v);
+    const double s = depth - p.z();
+    if (depth > 0 && s >= -this->Tau)
+    {
+      const double confidence = view.Confidence(u, v);
+      f += confidence * std::min(1.0, s / this->Tau);
+      w += confidence;
+    }
+  }
+}
+
+double FusedField::OutsideSilhouettes(const Vector3d& x) const
+{
+  const double tau = this->Options.TruncationPx;
+  double outside = -tau;
+  for (const Voter& voter : this->Voters)
+  {
+    const Vector3d p = voter.P.leftCols<3>() * x + voter.P.col(3);
+    const double u = p.x() / p.z();
+    const double v = p.y() / p.z();
+    const ImageRef<const float>& contour = voter.From->ContourDistance;
+    const int i = static_cast<int>(std::floor(u + 0.5));
+    const int j = static_cast<int>(std::floor(v + 0.5));
+    // Interpolated only where the nearest pixel says that it can matter.
+    if (p.z() > 0 && contour.Contains(i, j) && -contour(i, j) > outside - 2)
+    {
+      outside = std::max(outside, -SampleBilinear(contour, u, v));
+      if (outside >= tau)
+      {
+        return tau;
+      }
+    }
+  }
+  return outside;
+}
+
+FusedField::Passage FusedField::Pass(
+  const Vector3d& origin, const Vector3d& direction, double from, double to, double step) const
+{
+  this->ClipToBounds(origin, direction, from, to);
+  const double tau = this->Options.TruncationPx;
+  Passage passage{ tau, from };
+  std::vector<double> outside;
+  std::vector<double> field;
+  double inside = 0;
+  for (double t = from; t <= to; t += step)
+  {
+    const Vector3d x = origin + t * direction;
+    outside.push_back(this->OutsideSilhouettes(x));
+    double f = 0;
+    double w = 0;
+    if (outside.back() < tau)
+    {
+      this->VoteOfMaps(x, f, w);
+    }
+    inside += outside.back() < 0 ? step : 0;
+    const double wm = this->Options.SilhouettePrior * this->ChordFactor(inside);
+    const bool unseen = w + wm <= 0;
+    field.push_back(outside.back() >= tau ? tau : unseen ? -tau : tau * (f - wm) / (w + wm));
+  }
+  for (int k = 0; k < static_cast<int>(field.size()); ++k)
+  {
+    const double value = std::max(outside[k], std::clamp(ParabolaAt(field, k), -tau, tau));
+    if (value < passage.Clearance)
+    {
+      passage = { value, from + k * step };
+    }
+  }
+  return passage;
+}
+
 double FusedField::ChordFactor(double inside) const
 {
   // A longer chord of the hull makes it more likely that something of it is object.
@@ -125,6 +259,7 @@ double FusedField::ChordFactor(double inside) const
 double FusedField::PriorNeeded(const Vector3d& origin, const Vector3d& direction, double from,
   double to, double step, double enough) const
 {
+  this->ClipToBounds(origin, direction, from, to);
   double least = std::numeric_limits<double>::infinity();
   double inside = 0;
   for (double t = from; t <= to && least > enough; t += step)

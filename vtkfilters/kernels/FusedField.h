@@ -4,7 +4,7 @@
 
 #include "View.h"
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <optional>
 #include <vector>
@@ -26,8 +26,9 @@ struct FusionOptions
  *     field(X) = (F - w0) / (W + w0)
  *
  * is positive in free space and negative in the solid; where nobody sees anything it is solid. A
- * point outside any silhouette is free. (Curless and Levoy 1996, evaluated where it is asked for
- * instead of on a grid.)
+ * point outside any silhouette is free, and so is one outside the box around the surfaces that the
+ * maps show: far behind the object there are places that no frame covers. (Curless and Levoy 1996,
+ * evaluated where it is asked for instead of on a grid.)
  *
  * Views need ContourDistance, DepthMap and Confidence and must outlive the field.
  */
@@ -53,6 +54,24 @@ public:
   RayResult Walk(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, double from,
     double to, double step) const;
 
+  /** How far a ray passes from the object. */
+  struct Passage
+  {
+    /** Signed distance of the ray from the surface, input pixel footprints, within +- tau: above 0 =
+     * misses. */
+    double Clearance;
+    double At; ///< parameter of the ray where it comes nearest, or is deepest inside
+  };
+
+  /**
+   * The least signed distance along the ray, which is the larger of two at each of its points: that
+   * to the silhouettes' contours, and tau (F - wm) / (W + wm) of the maps. The latter is noisy, and
+   * the least of many noisy values is biased; it is therefore smoothed along the ray by a parabola
+   * through five samples (Savitzky and Golay 1964), which leaves round shapes as they are.
+   */
+  Passage Pass(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, double from,
+    double to, double step) const;
+
   /**
    * The least SilhouettePrior with which the ray counts as object; stops looking once it is no more
    * than `enough`. Infinity when the ray leaves the silhouettes without meeting anything.
@@ -69,8 +88,17 @@ private:
     const View* From;
   };
   double Value(const Eigen::Vector3d& x) const;
+  /** The votes at a point without regard to silhouettes. */
+  void VoteOfMaps(const Eigen::Vector3d& x, double& f, double& w) const;
+  /** How far outside the silhouettes a point is, footprints, at least -tau; at tau it looks no
+   * further. */
+  double OutsideSilhouettes(const Eigen::Vector3d& x) const;
+  /** Shortens [from, to] of a ray to what lies in the box around the maps' surfaces. */
+  void ClipToBounds(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, double& from,
+    double& to) const;
 
   std::vector<Voter> Voters;
+  Eigen::AlignedBox3d Bounds;
   FusionOptions Options;
   double Tau;
   double Footprint;

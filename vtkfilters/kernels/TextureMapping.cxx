@@ -109,10 +109,11 @@ public:
     rgb[0] = rgb[1] = rgb[2] = 0;
     for (const Candidate& candidate : this->Candidates)
     {
+      const double gain = this->Options.UseGains ? candidate.From->Photo->Gain : 1;
       total += candidate.Weight;
       for (int channel = 0; channel < 3; ++channel)
       {
-        rgb[channel] += candidate.Weight *
+        rgb[channel] += candidate.Weight / gain *
           SampleBilinear(
             candidate.From->Photo->Color, candidate.Pixel.x(), candidate.Pixel.y(), channel);
       }

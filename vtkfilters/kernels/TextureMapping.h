@@ -35,6 +35,8 @@ struct TextureOptions
    * model rasterised into the reference.
    */
   bool UseDepthMaps = false;
+  /** Divide colours by the views' Gain. */
+  bool UseGains = false;
   /** Sub-rays per pixel side that decide a rim pixel's coverage, odd; 1 = no antialiasing. */
   int RimSamples = 1;
 };

@@ -24,6 +24,7 @@ struct View
                                          ///< pixels, positive inside
   ImageRef<const float> DepthMap;        ///< depth per pixel, 0 = unknown
   ImageRef<const float> Confidence;      ///< of the depth, 0 to 1
+  double Gain = 1;                       ///< how much brighter than the photographs' mean
 
   bool IsObject(int x, int y) const { return this->Mask(x, y) > 127; }
 };
