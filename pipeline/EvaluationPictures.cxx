@@ -163,7 +163,7 @@ void DrawEvaluationChart(const std::string& title, const std::vector<EvaluatedVi
   ChartAxis axis{ "view", {} };
   for (const EvaluatedView& view : views)
   {
-    axis.Labels.push_back(view.Name);
+    axis.Labels.push_back(std::filesystem::path(view.Name).stem().string());
   }
   const auto draw = [&](double Scores::*score, const std::string& name, int x)
   {

@@ -84,7 +84,8 @@ void FixRanges(
   const double air = most > least ? 0.12 * (most - least) : 0.05 * std::max(std::abs(most), 1e-3);
   vtkAxis* x = chart->GetAxis(vtkAxis::BOTTOM);
   x->SetBehavior(vtkAxis::FIXED);
-  x->SetRange(-0.03 * last, 1.03 * last);
+  // Labels are wider than numbers, and a legend stands right of the last.
+  x->SetRange((labels.empty() ? -0.03 : -0.1) * last, (labels.empty() ? 1.03 : 1.25) * last);
   vtkNew<vtkDoubleArray> ticks;
   vtkNew<vtkStringArray> names;
   const int count = labels.empty() ? static_cast<int>(last) + 1 : static_cast<int>(labels.size());
