@@ -38,7 +38,7 @@ slug() { tr -cs 'a-zA-Z0-9.' '-' <<<"$1" | sed 's/-*$//'; }
 # done_by FILE COMMAND: FILE was made by this very command and by this very build
 done_by() {
   [ -f "$1" ] && [ "$(cat "$1.command" 2>/dev/null)" = "$2" ] &&
-    [ -z "$(find "$program" "$build/lib" -newer "$1" -type f)" ]
+    [ -z "$(find "$program" "$build/lib" -type f \( -name novelview -o -name '*.so*' \) -newer "$1")" ]
 }
 
 # make FILE LOG COMMAND...: runs the command, whose last file is FILE, unless that is done
