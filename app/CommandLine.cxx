@@ -44,6 +44,7 @@ struct Parsed
   OptionParser Generate;
   OptionParser Run;
   OptionParser Render;
+  OptionParser Evaluate;
 };
 
 CLI::App* AddCommand(
@@ -113,6 +114,13 @@ void AddCommands(CLI::App& app, Parsed& parsed, const Commands& commands)
       *AddCommand(app, "render", "make many novel views from one hull and crust", parsed), parsed,
       parsed.Render);
   }
+  if (commands.Evaluate)
+  {
+    AddOnDataset<EvaluateOptions>(
+      *AddCommand(
+        app, "evaluate", "compare novel views with photographs that no stage saw", parsed),
+      parsed, parsed.Evaluate);
+  }
 }
 
 void Dispatch(const CLI::App& app, const Parsed& parsed, const Commands& commands, Console& console)
@@ -137,11 +145,17 @@ void Dispatch(const CLI::App& app, const Parsed& parsed, const Commands& command
     LimitThreads(job.Threads);
     commands.Run(job, console);
   }
-  else
+  else if (command == "render")
   {
     const RenderOptions options = MakeRenderOptions(parsed.Dataset, parsed.Render.Given());
     LimitThreads(options.Threads);
     commands.Render(options, console);
+  }
+  else
+  {
+    const EvaluateOptions options = MakeEvaluateOptions(parsed.Dataset, parsed.Evaluate.Given());
+    LimitThreads(options.Threads);
+    commands.Evaluate(options, console);
   }
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "CommandLine.h"
+#include "EvaluateCommand.h"
 #include "RunCommand.h"
 
 #include <csignal>
@@ -32,5 +33,6 @@ int main(int argc, char** argv)
   commands.Generate = Generate;
   commands.Run = RunJob;
   commands.Render = RenderJob;
+  commands.Evaluate = EvaluateDataset;
   return RunCommandLine(argc, argv, commands);
 }

@@ -203,6 +203,30 @@ OptionTable OptionsOf(RenderOptions& options)
   return table;
 }
 
+OptionTable OptionsOf(EvaluateOptions& options)
+{
+  const char* const evaluate = "Evaluate";
+  OptionTable table = {
+    { "out", "folder for scores, chart and pictures", "", evaluate, &options.Out },
+    { "holdOut", "photographs to leave out and predict, all at once", "", evaluate,
+      &options.HoldOut },
+    { "every", "leave out and predict photographs 0, K, 2K .., all at once; 0 = not so", "",
+      evaluate, &options.Every, 0, NoLimit },
+    { "leaveOneOut", "predict each photograph from all others; else the data set's test views", "",
+      evaluate, &options.LeaveOneOut },
+    { "trueMesh",
+      "true mesh, to tell how good the pictures could be; truth.ply beside test views is found", "",
+      evaluate, &options.TrueMesh },
+    { "pictures", "write the picture of every view and stage, and an overview", "", evaluate,
+      &options.Pictures },
+    StageOption(options.UpTo),
+  };
+  Append(table, OptionsOf(options.Synthesis));
+  Append(table, OptionsOf(options.Input));
+  table.push_back(ThreadsOption(options.Threads));
+  return table;
+}
+
 OptionTable OptionsOf(GeneratorOptions& options)
 {
   const char* const object = "Object";
@@ -268,6 +292,44 @@ RenderOptions MakeRenderOptions(const fs::path& dataset, const GivenOptions& giv
   if (options.Cameras.empty())
   {
     throw UsageError("--cameras", "no calibration file of the views given");
+  }
+  return options;
+}
+
+EvaluateOptions MakeEvaluateOptions(const fs::path& dataset, const GivenOptions& given)
+{
+  EvaluateOptions options = Layered<EvaluateOptions>(dataset, given);
+  std::vector<std::string> ways;
+  if (!options.HoldOut.empty())
+  {
+    ways.push_back("--hold-out");
+  }
+  if (options.Every > 0)
+  {
+    ways.push_back("--every");
+  }
+  if (options.LeaveOneOut)
+  {
+    ways.push_back("--leave-one-out");
+  }
+  if (ways.size() > 1)
+  {
+    throw UsageError(ways[1], "cannot be given with " + ways[0]);
+  }
+  if (options.Every == 1)
+  {
+    throw UsageError("--every", "leaves no photograph to predict from", "1", "at least 2");
+  }
+  for (const std::string& name : options.HoldOut)
+  {
+    if (std::count(options.HoldOut.begin(), options.HoldOut.end(), name) > 1)
+    {
+      throw UsageError("--hold-out", "names a photograph twice: " + name);
+    }
+    if (std::count(options.Input.Exclude.begin(), options.Input.Exclude.end(), name) > 0)
+    {
+      throw UsageError("--hold-out", "names a photograph that --exclude leaves out: " + name);
+    }
   }
   return options;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/** What a run of the program does: everything that `novelview run` and `render` can be told. */
+/** What a run of the program does: everything that `novelview run`, `render` and `evaluate` can be told. */
 #ifndef novelview_Job_h
 #define novelview_Job_h
 
@@ -52,10 +52,30 @@ struct RenderOptions
   SynthesisOptions Synthesis;
 };
 
+/**
+ * Novel views against photographs that no stage saw: `novelview evaluate`. At most one of the three
+ * ways to hold photographs out is chosen; with none the data set's own test views are predicted or,
+ * when it has none, each photograph in turn.
+ */
+struct EvaluateOptions
+{
+  JobInput Input;
+  std::filesystem::path Out;        ///< gets the scores, the chart and the pictures
+  std::vector<std::string> HoldOut; ///< photographs left out and predicted, all at once
+  int Every = 0;                    ///< the same for photographs 0, K, 2K ..; 0 = not
+  bool LeaveOneOut = false;         ///< each photograph is predicted from all others
+  std::filesystem::path TrueMesh;   ///< for the oracle; empty = the test views' truth.ply, if any
+  bool Pictures = true;             ///< write the views' pictures and the overview
+  Stage UpTo = Stage::Full;
+  int Threads = 0;
+  SynthesisOptions Synthesis;
+};
+
 /** The tables: what the options are called, their help, units and ranges. */
 OptionTable OptionsOf(SynthesisOptions& options);
 OptionTable OptionsOf(Job& job);
 OptionTable OptionsOf(RenderOptions& options);
+OptionTable OptionsOf(EvaluateOptions& options);
 OptionTable OptionsOf(GeneratorOptions& options);
 
 /** Words of a command line by the key of their option, in the order given. */
@@ -65,10 +85,13 @@ using GivenOptions = std::vector<std::pair<std::string, std::vector<std::string>
  * A job from what was given: `dataset` is a folder, or a JSON file that holds any of the options
  * ("dataset" among them). What the command line says goes over what the file says, which goes over
  * the preset. A preset on the command line replaces all stage options of the file.
- * Throws UsageError, also when data set, view or out folder are missing.
+ * Throws UsageError, also when data set, view or out folder are missing, or options contradict each
+ * other.
  */
 Job MakeJob(const std::filesystem::path& dataset, const GivenOptions& given);
 RenderOptions MakeRenderOptions(const std::filesystem::path& dataset, const GivenOptions& given);
+EvaluateOptions MakeEvaluateOptions(
+  const std::filesystem::path& dataset, const GivenOptions& given);
 
 /**
  * Writes every option of the job that can change its result, so that running the file does the same

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "RunCommand.h"
 
-#include "AtomicFile.h"
+#include "CommandSupport.h"
 #include "Error.h"
 #include "ImageFile.h"
 #include "Metrics.h"
 #include "ObjectMesh.h"
 #include "RunReport.h"
-#include "Silhouette.h"
 #include "Threads.h"
 #include "ViewAccess.h"
 
-#include <algorithm>
 #include <cstdio>
 
 namespace novelview
@@ -20,47 +18,8 @@ namespace fs = std::filesystem;
 
 namespace
 {
-/** Makes the out folder and proves that it can be written before any work is done. */
-void PrepareFolder(const fs::path& folder)
-{
-  WriteTextAtomically(folder / ".novelview", "");
-  fs::remove(folder / ".novelview");
-}
-
-Dataset ReadInput(
-  const JobInput& input, const DatasetIndex& index, const std::string& heldOut, Console& console)
-{
-  DatasetOptions options;
-  options.Exclude = input.Exclude;
-  options.ForceSilhouettes = input.ForceSilhouettes;
-  options.Silhouette = input.Silhouette;
-  if (!heldOut.empty() &&
-    std::find(options.Exclude.begin(), options.Exclude.end(), heldOut) == options.Exclude.end())
-  {
-    options.Exclude.push_back(heldOut);
-  }
-  console.Progress("reading photographs", 0);
-  Dataset dataset = ReadDataset(index, options);
-  for (const std::string& warning : dataset.Warnings)
-  {
-    console.Warn(warning);
-  }
-  return dataset;
-}
-
-SynthesisListener ListenerFor(Console& console)
-{
-  SynthesisListener listener;
-  listener.Progress = [&console](const std::string& stage, double fraction)
-  { return console.Progress(stage, fraction); };
-  listener.StageDone = [&console](const std::string& stage, double seconds)
-  { console.StageDone(stage, seconds); };
-  listener.Warn = [&console](const std::string& text) { console.Warn(text); };
-  return listener;
-}
-
-/** The picture to compare with, arrays Color and Mask; null when there is none. */
-vtkSmartPointer<vtkImageData> ReadTruth(const Job& job, const ResolvedView& view)
+/** The picture to compare with; null when there is none. */
+vtkSmartPointer<vtkImageData> TruthOf(const Job& job, const ResolvedView& view)
 {
   const fs::path picture = job.Truth.empty() ? view.Truth : job.Truth;
   if (picture.empty())
@@ -73,19 +32,7 @@ vtkSmartPointer<vtkImageData> ReadTruth(const Job& job, const ResolvedView& view
     maskFile = job.Truth.empty() ? view.TruthMask
                                  : MaskFileOf(picture.parent_path(), picture.filename().string());
   }
-  const Image<std::uint8_t> color = ReadColorFile(picture);
-  if (color.Width != view.Cam.Width || color.Height != view.Cam.Height)
-  {
-    throw Error(picture.string(), "the truth is not of the novel view's size",
-      SizeText(color.Width, color.Height), SizeText(view.Cam.Width, view.Cam.Height));
-  }
-  const Image<std::uint8_t> mask = maskFile.empty()
-    ? ExtractSilhouette(color.Ref(), job.Input.Silhouette)
-    : ReadGreyFile(maskFile);
-  auto image = NewImage(color.Width, color.Height);
-  SetPixels(image, arrays::Color, color.Ref());
-  SetPixels(image, arrays::Mask, mask.Ref());
-  return image;
+  return ReadTruth(picture, maskFile, job.Input.Silhouette, view.Cam);
 }
 
 std::string ScoreLine(const std::string& name, const std::optional<Scores>& scores)
@@ -120,9 +67,10 @@ void RunJob(const Job& job, Console& console)
   const ResolvedView view = ResolveViewSpec(job.View, index);
   ValidateCamera(view.Cam, "novel camera");
   PrepareFolder(job.Out);
-  const auto truth = ReadTruth(job, view);
+  const auto truth = TruthOf(job, view);
   const auto trueMesh = job.TrueMesh.empty() ? nullptr : LoadObject(job.TrueMesh.string());
-  const Dataset dataset = ReadInput(job.Input, index, view.HeldOut, console);
+  const Dataset dataset = ReadInput(job.Input, index,
+    view.HeldOut.empty() ? std::vector<std::string>() : std::vector{ view.HeldOut }, console);
 
   RunReport report(job.Out, truth);
   DesktopState desktop;
@@ -165,7 +113,7 @@ void RenderJob(const RenderOptions& options, Console& console)
   const DatasetIndex index = ReadDatasetIndex(options.Input.Dataset, options.Input.ParFile);
   const std::vector<NamedCamera> cameras = ReadCameras(options.Cameras);
   PrepareFolder(options.Out);
-  const Dataset dataset = ReadInput(options.Input, index, "", console);
+  const Dataset dataset = ReadInput(options.Input, index, {}, console);
   Synthesis synthesis(dataset.Views, options.Synthesis, ListenerFor(console));
   for (const NamedCamera& camera : cameras)
   {

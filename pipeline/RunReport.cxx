@@ -50,12 +50,6 @@ Image<std::uint8_t> UnseenMap(vtkImageData* image)
   return unseen;
 }
 
-nlohmann::ordered_json ScoresJson(const Scores& scores)
-{
-  return { { "rms", scores.Rms }, { "psnr", scores.Psnr }, { "ssim", scores.Ssim },
-    { "iou", scores.Iou }, { "missing", scores.Missing }, { "excess", scores.Excess } };
-}
-
 /** Error map as a grey picture, a level of error a level of grey, four times as bright. */
 Image<std::uint8_t> ErrorPicture(vtkImageData* image, vtkImageData* truth)
 {
@@ -66,6 +60,12 @@ Image<std::uint8_t> ErrorPicture(vtkImageData* image, vtkImageData* truth)
     [](float value) { return static_cast<std::uint8_t>(std::min(4 * value, 255.f)); });
   return picture;
 }
+}
+
+nlohmann::ordered_json ScoresJson(const Scores& scores)
+{
+  return { { "rms", scores.Rms }, { "psnr", scores.Psnr }, { "ssim", scores.Ssim },
+    { "iou", scores.Iou }, { "missing", scores.Missing }, { "excess", scores.Excess } };
 }
 
 std::string StageName(Stage stage)

@@ -6,6 +6,8 @@
 #include "ScenePictures.h"
 #include "Synthesis.h"
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -15,6 +17,9 @@ namespace novelview
 {
 /** The name of a step in files and tables: hull, outline, full; for tables nonoutline. */
 std::string StageName(Stage stage);
+
+/** Scores as every summary has them: rms, psnr, ssim, iou, missing, excess. */
+nlohmann::ordered_json ScoresJson(const Scores& scores);
 
 /** A line of the tables: what IterationState tells, with the scores where there is a truth. */
 struct TableRow

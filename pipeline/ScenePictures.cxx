@@ -3,6 +3,7 @@
 
 #include "Canvas.h"
 #include "Error.h"
+#include "ErrorPicture.h"
 #include "PngFile.h"
 #include "SceneActors.h"
 #include "ScoreChart.h"
@@ -37,18 +38,6 @@ std::string Formatted(const char* format, double value)
   char text[64];
   std::snprintf(text, sizeof text, format, value);
   return text;
-}
-
-/** Black, violet, red, orange, yellow: dark = small, and readable in grey as well. */
-vtkSmartPointer<vtkColorTransferFunction> HeatColours(double most)
-{
-  auto table = vtkSmartPointer<vtkColorTransferFunction>::New();
-  table->AddRGBPoint(0.00 * most, 0.02, 0.02, 0.06);
-  table->AddRGBPoint(0.25 * most, 0.34, 0.06, 0.43);
-  table->AddRGBPoint(0.50 * most, 0.73, 0.21, 0.33);
-  table->AddRGBPoint(0.75 * most, 0.98, 0.55, 0.04);
-  table->AddRGBPoint(1.00 * most, 0.99, 1.00, 0.64);
-  return table;
 }
 
 /** From grey (has not moved) over green to blue. */
@@ -286,45 +275,6 @@ void DrawMeshScene(Canvas& canvas, const Box& box, const DesktopState& state)
     { 14, colours::Text, false, TextStyle::Right });
   canvas.AddColourBar(table, { box.X + box.Width - 84, box.Y + 40, 76, 190 }, "%.1f");
   AddAxes(canvas, { box.X + 8, box.Y + box.Height - 108, 100, 100 }, scene, colours::Panel);
-}
-
-/** Mean absolute difference of the channels in the foreground (either mask), coloured. */
-vtkSmartPointer<vtkImageData> ErrorPicture(
-  vtkImageData* novel, vtkImageData* truth, vtkScalarsToColors* table)
-{
-  const auto a = TopDownArray<const std::uint8_t>(novel, arrays::Color, 3, "novel view", true);
-  const auto b = TopDownArray<const std::uint8_t>(truth, arrays::Color, 3, "truth", true);
-  const auto maskA = TopDownArray<const std::uint8_t>(novel, arrays::Mask, 1, "novel view", false);
-  const auto maskB = TopDownArray<const std::uint8_t>(truth, arrays::Mask, 1, "truth", false);
-  if (a.Width != b.Width || a.Height != b.Height)
-  {
-    throw Error("screenshot", "truth and novel view differ in size", SizeText(b.Width, b.Height),
-      SizeText(a.Width, a.Height));
-  }
-  const bool everywhere = maskA.Empty() || maskB.Empty();
-  vtkSmartPointer<vtkImageData> picture = NewImage(a.Width, a.Height);
-  const auto out = AddTopDownArray<std::uint8_t>(picture, arrays::Color, 3);
-  for (int y = 0; y < a.Height; ++y)
-  {
-    for (int x = 0; x < a.Width; ++x)
-    {
-      Colour colour = { 0.16, 0.18, 0.21 };
-      if (everywhere || maskA(x, y) > 127 || maskB(x, y) > 127)
-      {
-        double sum = 0;
-        for (int c = 0; c < 3; ++c)
-        {
-          sum += std::abs(a(x, y, c) - b(x, y, c));
-        }
-        table->GetColor(sum / 3, colour.data());
-      }
-      for (int c = 0; c < 3; ++c)
-      {
-        out(x, y, c) = static_cast<std::uint8_t>(std::lround(255 * colour[c]));
-      }
-    }
-  }
-  return picture;
 }
 
 void DrawPicturePanels(Canvas& canvas, const Box& area, const DesktopState& state)

@@ -6,51 +6,45 @@
 #include <vtkDoubleArray.h>
 #include <vtkPen.h>
 #include <vtkPlotPoints.h>
+#include <vtkStringArray.h>
 #include <vtkTable.h>
 #include <vtkTextProperty.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace novelview
 {
 namespace
 {
-/** x and y of one line. */
-struct Series
-{
-  std::string Name;
-  Colour Ink;
-  vtkNew<vtkDoubleArray> X;
-  vtkNew<vtkDoubleArray> Y;
-
-  void Add(double x, double y)
-  {
-    this->X->InsertNextValue(x);
-    this->Y->InsertNextValue(y);
-  }
-};
-
 unsigned char Byte(double value)
 {
   return static_cast<unsigned char>(std::lround(255 * value));
 }
 
-void AddLine(vtkChartXY* chart, Series& series)
+void AddLine(vtkChartXY* chart, const ChartLine& line, const std::string& xName)
 {
-  series.X->SetName("iteration");
-  series.Y->SetName(series.Name.c_str());
+  vtkNew<vtkDoubleArray> x;
+  vtkNew<vtkDoubleArray> y;
+  x->SetName(xName.c_str());
+  y->SetName(line.Name.c_str());
+  for (const auto& [at, value] : line.Points)
+  {
+    x->InsertNextValue(at);
+    y->InsertNextValue(value);
+  }
   vtkNew<vtkTable> table;
-  table->AddColumn(series.X);
-  table->AddColumn(series.Y);
+  table->AddColumn(x);
+  table->AddColumn(y);
   // A line of one point is an error to VTK.
-  const int type = series.X->GetNumberOfTuples() > 1 ? vtkChart::LINE : vtkChart::POINTS;
-  auto* line = vtkPlotPoints::SafeDownCast(chart->AddPlot(type));
-  line->SetInputData(table, 0, 1);
-  line->SetColor(Byte(series.Ink[0]), Byte(series.Ink[1]), Byte(series.Ink[2]), 255);
-  line->SetWidth(2.5F);
-  line->SetMarkerStyle(vtkPlotPoints::CIRCLE);
-  line->SetMarkerSize(7);
+  const int type = line.Points.size() > 1 ? vtkChart::LINE : vtkChart::POINTS;
+  auto* plot = vtkPlotPoints::SafeDownCast(chart->AddPlot(type));
+  plot->SetInputData(table, 0, 1);
+  plot->SetColor(Byte(line.Ink[0]), Byte(line.Ink[1]), Byte(line.Ink[2]), 255);
+  plot->SetWidth(2.5F);
+  plot->SetMarkerStyle(vtkPlotPoints::CIRCLE);
+  plot->SetMarkerSize(7);
 }
 
 void StyleAxis(vtkAxis* axis, const std::string& title, const ChartStyle& style)
@@ -66,19 +60,20 @@ void StyleAxis(vtkAxis* axis, const std::string& title, const ChartStyle& style)
   axis->GetGridPen()->SetColorF(style.Grid[0], style.Grid[1], style.Grid[2]);
 }
 
-/** Whole iterations on the x axis, the values with some air on the y axis. */
-void FixRanges(vtkChartXY* chart, const Series& first, const Series& second)
+/** Whole numbers (or their labels) on the x axis, the values with some air on the y axis. */
+void FixRanges(
+  vtkChartXY* chart, const std::vector<ChartLine>& lines, const std::vector<std::string>& labels)
 {
   double last = 1;
-  double least = VTK_DOUBLE_MAX;
-  double most = VTK_DOUBLE_MIN;
-  for (const Series* series : { &first, &second })
+  double least = std::numeric_limits<double>::infinity();
+  double most = -std::numeric_limits<double>::infinity();
+  for (const ChartLine& line : lines)
   {
-    for (vtkIdType i = 0; i < series->X->GetNumberOfTuples(); ++i)
+    for (const auto& [at, value] : line.Points)
     {
-      last = std::max(last, series->X->GetValue(i));
-      least = std::min(least, series->Y->GetValue(i));
-      most = std::max(most, series->Y->GetValue(i));
+      last = std::max(last, at);
+      least = std::min(least, value);
+      most = std::max(most, value);
     }
   }
   if (least > most)
@@ -89,16 +84,24 @@ void FixRanges(vtkChartXY* chart, const Series& first, const Series& second)
   const double air = most > least ? 0.12 * (most - least) : 0.05 * std::max(std::abs(most), 1e-3);
   vtkAxis* x = chart->GetAxis(vtkAxis::BOTTOM);
   x->SetBehavior(vtkAxis::FIXED);
-  x->SetRange(-0.03 * last, 1.03 * last);
+  // Labels are wider than numbers, and a legend stands right of the last.
+  x->SetRange((labels.empty() ? -0.03 : -0.1) * last, (labels.empty() ? 1.03 : 1.25) * last);
   vtkNew<vtkDoubleArray> ticks;
-  const int step = std::max(1, static_cast<int>(std::ceil(last / 10)));
-  for (int tick = 0; tick <= last; tick += step)
+  vtkNew<vtkStringArray> names;
+  const int count = labels.empty() ? static_cast<int>(last) + 1 : static_cast<int>(labels.size());
+  const int step =
+    std::max(1, static_cast<int>(std::ceil((count - 1) / (labels.empty() ? 10. : 5.))));
+  for (int tick = 0; tick < count; tick += step)
   {
     ticks->InsertNextValue(tick);
+    if (!labels.empty())
+    {
+      names->InsertNextValue(labels[static_cast<std::size_t>(tick)]);
+    }
   }
   x->SetNotation(vtkAxis::PRINTF_NOTATION);
   x->SetLabelFormat("%.0f");
-  x->SetCustomTickPositions(ticks);
+  x->SetCustomTickPositions(ticks, labels.empty() ? nullptr : names.Get());
   vtkAxis* y = chart->GetAxis(vtkAxis::LEFT);
   y->SetBehavior(vtkAxis::FIXED);
   y->SetRange(least - air, most + air);
@@ -106,11 +109,40 @@ void FixRanges(vtkChartXY* chart, const Series& first, const Series& second)
 }
 
 //------------------------------------------------------------------------------
+vtkSmartPointer<vtkChartXY> NewLineChart(
+  const std::vector<ChartLine>& lines, const ChartAxis& axis, const ChartStyle& style)
+{
+  std::vector<ChartLine> shown = lines;
+  for (ChartLine& line : shown)
+  {
+    std::erase_if(line.Points, [](const auto& point) { return !std::isfinite(point[1]); });
+  }
+  std::erase_if(shown, [](const ChartLine& line) { return line.Points.empty(); });
+  auto chart = vtkSmartPointer<vtkChartXY>::New();
+  StyleAxis(chart->GetAxis(vtkAxis::BOTTOM), axis.Title, style);
+  StyleAxis(chart->GetAxis(vtkAxis::LEFT), style.ScoreName, style);
+  for (const ChartLine& line : shown)
+  {
+    AddLine(chart, line, axis.Title);
+  }
+  FixRanges(chart, shown, axis.Labels);
+  if (style.Legend)
+  {
+    chart->SetShowLegend(true);
+    chart->GetLegend()->SetLabelSize(style.TextSizePx);
+    chart->GetLegend()->SetHorizontalAlignment(vtkChartLegend::RIGHT);
+    chart->GetLegend()->SetVerticalAlignment(
+      style.LegendBelow ? vtkChartLegend::BOTTOM : vtkChartLegend::TOP);
+  }
+  return chart;
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkChartXY> NewScoreChart(
   const std::vector<HistoryRow>& history, const ChartStyle& style)
 {
-  Series outline{ "outline", colours::Outline, {}, {} };
-  Series nonOutline{ "non-outline", colours::NonOutline, {}, {} };
+  ChartLine outline{ "outline", colours::Outline, {} };
+  ChartLine nonOutline{ "non-outline", colours::NonOutline, {} };
   int lastOutline = 0;
   for (const HistoryRow& row : history)
   {
@@ -121,33 +153,14 @@ vtkSmartPointer<vtkChartXY> NewScoreChart(
     }
     if (row.Step == Stage::Outline)
     {
-      outline.Add(row.Iteration, value);
+      outline.Points.push_back({ static_cast<double>(row.Iteration), value });
       lastOutline = std::max(lastOutline, row.Iteration);
     }
     else
     {
-      nonOutline.Add(lastOutline + row.Iteration, value);
+      nonOutline.Points.push_back({ static_cast<double>(lastOutline + row.Iteration), value });
     }
   }
-  auto chart = vtkSmartPointer<vtkChartXY>::New();
-  StyleAxis(chart->GetAxis(vtkAxis::BOTTOM), "iteration", style);
-  StyleAxis(chart->GetAxis(vtkAxis::LEFT), style.ScoreName, style);
-  for (Series* series : { &outline, &nonOutline })
-  {
-    if (series->X->GetNumberOfTuples() > 0)
-    {
-      AddLine(chart, *series);
-    }
-  }
-  FixRanges(chart, outline, nonOutline);
-  if (style.Legend)
-  {
-    chart->SetShowLegend(true);
-    chart->GetLegend()->SetLabelSize(style.TextSizePx);
-    chart->GetLegend()->SetHorizontalAlignment(vtkChartLegend::RIGHT);
-    chart->GetLegend()->SetVerticalAlignment(
-      style.LegendBelow ? vtkChartLegend::BOTTOM : vtkChartLegend::TOP);
-  }
-  return chart;
+  return NewLineChart({ outline, nonOutline }, { "iteration" }, style);
 }
 }

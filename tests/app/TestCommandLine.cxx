@@ -23,6 +23,7 @@ struct Outcome
   std::filesystem::path GeneratedInto;
   std::optional<Job> Ran;
   std::optional<RenderOptions> Rendered;
+  std::optional<EvaluateOptions> Evaluated;
 };
 
 /** Runs a command line in this process, with commands that only note what they were given. */
@@ -46,6 +47,8 @@ Outcome Parse(std::vector<const char*> words, const std::function<void()>& inRun
   };
   commands.Render = [&outcome](const RenderOptions& options, Console&)
   { outcome.Rendered = options; };
+  commands.Evaluate = [&outcome](const EvaluateOptions& options, Console&)
+  { outcome.Evaluated = options; };
   words.insert(words.begin(), "novelview");
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
@@ -61,7 +64,7 @@ void ExpectUsageError(const std::vector<const char*>& words, const std::string& 
   EXPECT_EQ(outcome.Code, 2);
   EXPECT_THAT(outcome.Err, HasSubstr(part));
   EXPECT_EQ(std::count(outcome.Err.begin(), outcome.Err.end(), '\n'), 1) << outcome.Err;
-  EXPECT_FALSE(outcome.Ran || outcome.Rendered || outcome.Generated);
+  EXPECT_FALSE(outcome.Ran || outcome.Rendered || outcome.Evaluated || outcome.Generated);
 }
 
 /** Runs the program itself. */
@@ -116,6 +119,21 @@ TEST(CommandLine, RenderIsGivenItsOptions)
   EXPECT_EQ(outcome.Rendered->Synthesis.Preset, "paper");
 }
 
+TEST(CommandLine, EvaluateIsGivenItsOptions)
+{
+  const Outcome outcome = Parse({ "evaluate", "bunny", "--hold-out", "a.png,b.png", "--out", "o",
+    "--no-pictures", "--true-mesh", "t.ply", "--preset", "paper", "--depth-maps" });
+  ASSERT_TRUE(outcome.Evaluated) << outcome.Err;
+  EXPECT_EQ(outcome.Evaluated->Input.Dataset, "bunny");
+  EXPECT_EQ(outcome.Evaluated->HoldOut, (std::vector<std::string>{ "a.png", "b.png" }));
+  EXPECT_EQ(outcome.Evaluated->Every, 0);
+  EXPECT_FALSE(outcome.Evaluated->LeaveOneOut);
+  EXPECT_FALSE(outcome.Evaluated->Pictures);
+  EXPECT_EQ(outcome.Evaluated->TrueMesh, "t.ply");
+  EXPECT_EQ(outcome.Evaluated->Synthesis.References, PresetOptions("paper").References);
+  EXPECT_TRUE(outcome.Evaluated->Synthesis.UseDepthMaps);
+}
+
 TEST(CommandLine, GenerateIsGivenItsOptions)
 {
   const Outcome outcome =
@@ -145,6 +163,9 @@ TEST(CommandLine, BadUsageIsOneLineAndExitCodeTwo)
     "--hull-spacing: is no number (got 'x'");
   ExpectUsageError({ "run", "bunny", "--view", "beside:a", "--out", "o" }, "view: is no view");
   ExpectUsageError({ "run", "bunny", "--quiet", "--verbose" }, "excludes");
+  ExpectUsageError({ "evaluate", "bunny" }, "--out: no folder");
+  ExpectUsageError({ "evaluate", "bunny", "--out", "o", "--every", "2", "--hold-out", "a.png" },
+    "--every: cannot be given with --hold-out");
   ExpectUsageError({ "generate", "--out", "o", "--size", "640" }, "--size: is no size (got '640'");
   ExpectUsageError({ "generate", "--out", "o", "--texture", "wod" }, "wood, marble");
   ExpectUsageError({ "generate", "--views", "3" }, "--out");

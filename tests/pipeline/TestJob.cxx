@@ -47,8 +47,10 @@ TEST(Options, KeysAndFlagsAreUniqueAndExplained)
 {
   Job job;
   RenderOptions render;
+  EvaluateOptions evaluate;
   GeneratorOptions generator;
-  for (const OptionTable& table : { OptionsOf(job), OptionsOf(render), OptionsOf(generator) })
+  for (const OptionTable& table :
+    { OptionsOf(job), OptionsOf(render), OptionsOf(evaluate), OptionsOf(generator) })
   {
     std::set<std::string> flags;
     for (const Option& option : table)

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "CommandSupport.h"
+
+#include "AtomicFile.h"
+#include "Error.h"
+#include "ImageFile.h"
+#include "ViewAccess.h"
+
+#include <algorithm>
+
+namespace novelview
+{
+namespace fs = std::filesystem;
+
+void PrepareFolder(const fs::path& folder)
+{
+  WriteTextAtomically(folder / ".novelview", "");
+  fs::remove(folder / ".novelview");
+}
+
+Dataset ReadInput(const JobInput& input, const DatasetIndex& index,
+  const std::vector<std::string>& heldOut, Console& console)
+{
+  DatasetOptions options;
+  options.Exclude = input.Exclude;
+  options.ForceSilhouettes = input.ForceSilhouettes;
+  options.Silhouette = input.Silhouette;
+  for (const std::string& name : heldOut)
+  {
+    if (std::find(options.Exclude.begin(), options.Exclude.end(), name) == options.Exclude.end())
+    {
+      options.Exclude.push_back(name);
+    }
+  }
+  console.Progress("reading photographs", 0);
+  Dataset dataset = ReadDataset(index, options);
+  for (const std::string& warning : dataset.Warnings)
+  {
+    console.Warn(warning);
+  }
+  return dataset;
+}
+
+SynthesisListener ListenerFor(Console& console)
+{
+  SynthesisListener listener;
+  listener.Progress = [&console](const std::string& stage, double fraction)
+  { return console.Progress(stage, fraction); };
+  listener.StageDone = [&console](const std::string& stage, double seconds)
+  { console.StageDone(stage, seconds); };
+  listener.Warn = [&console](const std::string& text) { console.Warn(text); };
+  return listener;
+}
+
+vtkSmartPointer<vtkImageData> ReadTruth(const fs::path& picture, const fs::path& maskFile,
+  const SilhouetteOptions& silhouette, const Camera& camera)
+{
+  const Image<std::uint8_t> color = ReadColorFile(picture);
+  if (color.Width != camera.Width || color.Height != camera.Height)
+  {
+    throw Error(picture.string(), "the truth is not of the novel view's size",
+      SizeText(color.Width, color.Height), SizeText(camera.Width, camera.Height));
+  }
+  const Image<std::uint8_t> mask =
+    maskFile.empty() ? ExtractSilhouette(color.Ref(), silhouette) : ReadGreyFile(maskFile);
+  auto image = NewImage(color.Width, color.Height);
+  SetPixels(image, arrays::Color, color.Ref());
+  SetPixels(image, arrays::Mask, mask.Ref());
+  return image;
+}
+}

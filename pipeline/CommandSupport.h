@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/** What the commands on a data set (run, render, evaluate) have in common. */
+#ifndef novelview_CommandSupport_h
+#define novelview_CommandSupport_h
+
+#include "Console.h"
+#include "Job.h"
+#include "Middlebury.h"
+#include "Synthesis.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace novelview
+{
+/** Makes the out folder and proves that it can be written before any work is done. */
+void PrepareFolder(const std::filesystem::path& folder);
+
+/** Reads the photographs, but for those that are excluded or held out, and says the warnings. */
+Dataset ReadInput(const JobInput& input, const DatasetIndex& index,
+  const std::vector<std::string>& heldOut, Console& console);
+
+/** A listener that tells the console everything but the iterations. */
+SynthesisListener ListenerFor(Console& console);
+
+/**
+ * The picture a novel view is compared with, arrays Color and Mask. Without a mask file the
+ * silhouette is taken from the picture. Throws Error when it is not of the camera's size.
+ */
+vtkSmartPointer<vtkImageData> ReadTruth(const std::filesystem::path& picture,
+  const std::filesystem::path& maskFile, const SilhouetteOptions& silhouette, const Camera& camera);
+}
+
+#endif
