@@ -128,6 +128,8 @@ OptionTable OptionsOf(SynthesisOptions& options)
   return {
     { "preset", "defaults of all stage options: the paper's, or what gives the best pictures", "",
       "Method", &options.Preset, -NoLimit, NoLimit, { "best", "paper" } },
+    { "reconcileSilhouettes", "enlarge silhouettes that are too small for all the others", "", hull,
+      &options.ReconcileSilhouettes },
     { "hullSpacing", "distance between surface samples, in the photographs", "px", hull,
       &options.HullSpacingPx, 0.25, 64 },
     { "hullBox", "search box x0,y0,z0,x1,y1,z1; found from the silhouettes when not given",

@@ -9,14 +9,17 @@
 #include "vtkPinholeCamera.h"
 #include "vtkPowerCrustMesher.h"
 #include "vtkReferenceDepthEstimator.h"
+#include "vtkSilhouetteReconciler.h"
 #include "vtkViewDependentTextureMapper.h"
 #include "vtkVisibilityCuller.h"
 #include "vtkVisualHullSource.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkNew.h>
+#include <vtkTrivialProducer.h>
 
 #include <algorithm>
+#include <cstdio>
 
 namespace novelview
 {
@@ -30,6 +33,7 @@ SynthesisOptions PresetOptions(const std::string& preset)
   }
   if (preset == "best")
   {
+    options.ReconcileSilhouettes = true;
     options.UseDepthMaps = true;
     options.ContourPrediction = true;
     options.References = 4;
@@ -65,11 +69,11 @@ class Synthesis::Internals
 public:
   Internals(
     vtkMultiBlockDataSet* views, const SynthesisOptions& options, SynthesisListener listener)
-    : Views(views)
-    , Options(options)
+    : Options(options)
     , Listener(std::move(listener))
   {
-    this->HullSource->SetInputData(views);
+    vtkAlgorithmOutput* silhouettes = this->Silhouettes(views);
+    this->HullSource->SetInputConnection(silhouettes);
     this->HullSource->SetSampleSpacing(options.HullSpacingPx);
     this->HullSource->SetKeepAllComponents(options.HullKeepAll);
     if (options.HullBox)
@@ -90,19 +94,13 @@ public:
     this->NonOutline->SetNumberOfIterations(options.NonOutlineIterations);
     this->NonOutline->SetSmoothWeight(options.NonOutlineAlpha);
 
-    this->DepthEstimator->SetInputData(0, views);
+    this->DepthEstimator->SetInputConnection(0, silhouettes);
     this->DepthEstimator->SetInputConnection(1, this->Mesher->GetOutputPort());
     for (vtkAlgorithm* filter : { static_cast<vtkAlgorithm*>(this->Outline),
            static_cast<vtkAlgorithm*>(this->NonOutline), static_cast<vtkAlgorithm*>(this->Mapper) })
     {
-      if (options.UseDepthMaps)
-      {
-        filter->SetInputConnection(1, this->DepthEstimator->GetOutputPort());
-      }
-      else
-      {
-        filter->SetInputDataObject(1, views);
-      }
+      filter->SetInputConnection(
+        1, options.UseDepthMaps ? this->DepthEstimator->GetOutputPort() : silhouettes);
     }
     this->Outline->SetUseDepthMaps(options.UseDepthMaps);
     this->Outline->SetSilhouettePrior(options.SilhouettePrior);
@@ -121,6 +119,11 @@ public:
 
   void RunHull()
   {
+    if (this->Options.ReconcileSilhouettes)
+    {
+      this->Run("silhouettes", this->Reconciler);
+      this->WarnOfOffsets();
+    }
     this->Run("visual hull", this->HullSource);
     if (const int dropped = this->HullSource->GetNumberOfDroppedComponents();
         dropped > 0 && !this->ToldOfDropped && this->Listener.Warn)
@@ -187,13 +190,40 @@ public:
     return this->Textured(mesh, "texture");
   }
 
-  vtkSmartPointer<vtkMultiBlockDataSet> Views;
   const SynthesisOptions Options;
   const SynthesisListener Listener;
   vtkNew<vtkVisualHullSource> HullSource;
   vtkNew<vtkPowerCrustMesher> Mesher;
 
 private:
+  /** Where the stages take the photographs with their silhouettes from. */
+  vtkAlgorithmOutput* Silhouettes(vtkMultiBlockDataSet* views)
+  {
+    this->Views->SetOutput(views);
+    this->Reconciler->SetInputConnection(this->Views->GetOutputPort());
+    return this->Options.ReconcileSilhouettes ? this->Reconciler->GetOutputPort()
+                                              : this->Views->GetOutputPort();
+  }
+
+  /** Tells once of every silhouette that was enlarged. */
+  void WarnOfOffsets()
+  {
+    vtkMultiBlockDataSet* views = this->Reconciler->GetOutput();
+    for (unsigned int viewId = 0; !this->ToldOfOffsets && viewId < views->GetNumberOfBlocks();
+         ++viewId)
+    {
+      const double offset = AttachedNumber(ViewImage(views, viewId), arrays::ContourOffset, 0);
+      if (offset > 0 && this->Listener.Warn)
+      {
+        char pixels[32];
+        std::snprintf(pixels, sizeof(pixels), "%.1f", offset);
+        this->Listener.Warn("silhouette of " + ViewName(views, viewId) + ": " + pixels +
+          " px smaller than the others allow; enlarged by that");
+      }
+    }
+    this->ToldOfOffsets = true;
+  }
+
   void Run(const std::string& stage, vtkAlgorithm* filter)
   {
     RunStage(stage, filter, this->Listener.Progress, this->Listener.StageDone);
@@ -257,12 +287,15 @@ private:
     this->Listener.Iteration(state);
   }
 
+  vtkNew<vtkTrivialProducer> Views;
+  vtkNew<vtkSilhouetteReconciler> Reconciler;
   vtkNew<vtkReferenceDepthEstimator> DepthEstimator;
   vtkNew<vtkVisibilityCuller> Culler;
   vtkNew<vtkOutlineDeformer> Outline;
   vtkNew<vtkNonOutlineDeformer> NonOutline;
   vtkNew<vtkViewDependentTextureMapper> Mapper;
   bool ToldOfDropped = false;
+  bool ToldOfOffsets = false;
 };
 
 Synthesis::Synthesis(

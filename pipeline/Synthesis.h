@@ -32,6 +32,9 @@ struct SynthesisOptions
   /** "best" or "paper": which defaults the other members start from, see PresetOptions(). */
   std::string Preset = "best";
 
+  // ---- silhouettes
+  bool ReconcileSilhouettes = false; ///< enlarge those that are too small for all the others
+
   // ---- hull
   double HullSpacingPx = 2.0;                   ///< sample spacing, input pixels
   std::optional<std::array<double, 6>> HullBox; ///< x0 y0 z0 x1 y1 z1; found when not given

@@ -13,6 +13,8 @@
  *               Confidence       float       optional: of the depth, 0 to 1
  *   field data  CameraMatrix (9, row-major), Rotation (9, row-major), Translation (3)
  *               ExposureGain     double      optional: brightness against the mean of all
+ *               ContourOffset    double      optional: by how many pixels the silhouette has been
+ *                                            enlarged
  *
  * and, once there are depth maps, two numbers in the field data of the whole: DepthNoise and
  * SilhouettePrior (see vtkReferenceDepthEstimator).
@@ -50,6 +52,7 @@ inline constexpr const char* Confidence = "Confidence";
 inline constexpr const char* DepthNoise = "DepthNoise";
 inline constexpr const char* SilhouettePrior = "SilhouettePrior";
 inline constexpr const char* ExposureGain = "ExposureGain";
+inline constexpr const char* ContourOffset = "ContourOffset";
 inline constexpr const char* CellId = "CellId";
 inline constexpr const char* Seen = "Seen";
 inline constexpr const char* CameraMatrix = "CameraMatrix";

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef novelview_SilhouetteConsistency_h
+#define novelview_SilhouetteConsistency_h
+
+#include "Execution.h"
+#include "View.h"
+
+#include <vector>
+
+namespace novelview
+{
+struct ConsistencyOptions
+{
+  int RaysPerView = 300;    ///< about so many rays of each silhouette's contour are followed
+  double LeastPx = 0.75;    ///< smaller offsets are left alone, and so is what disagrees by less
+  double LeastShare = 0.05; ///< part of the others' rays that a silhouette has to cut
+  double Outstanding = 3;   ///< and so many times the median silhouette's part
+};
+
+/**
+ * By how many pixels each silhouette is too small, judged by all others; 0 for those that do not
+ * stand out.
+ *
+ * The ray through a pixel at the edge of one silhouette touches the object, so that somewhere along
+ * it every other silhouette should say "inside". Where the best such point lies outside just one,
+ * by e pixels, that one is blamed. A silhouette that is blamed by far more rays than others are is
+ * too small by the ninth decile of its e. The intersection of silhouettes forgives one that is too
+ * large, and never one that is too small.
+ *
+ * Views need Mask and ContourDistance. All 0 when the silhouettes bound no box (FindSearchBox);
+ * whoever needs the box reports that.
+ */
+std::vector<double> FindContourOffsets(const std::vector<View>& views,
+  const ConsistencyOptions& options = {}, const Execution& execution = {});
+}
+
+#endif
