@@ -32,7 +32,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Smaller offsets are left alone, pixels. Default 0.75, range 0.25 to 100. */
+  /** Smaller offsets are left alone, pixels. Default 0.5, range 0.25 to 100. */
   vtkSetClampMacro(LeastOffset, double, 0.25, 100.0);
   vtkGetMacro(LeastOffset, double);
   ///@}
@@ -49,7 +49,7 @@ protected:
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
-  double LeastOffset = 0.75;
+  double LeastOffset = 0.5;
   double LeastShare = 0.05;
 
 private:

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
 
@@ -26,50 +27,73 @@ struct Blame
   double Excess; ///< pixels by which that view's silhouette would have to reach further
 };
 
-/** The least distance inside the contours of all views but one; and whose it is. */
-Blame LeastInside(const std::vector<View>& views, int except, const Vector3d& x)
+/** Follows rays through the silhouettes, each larger by its offset. */
+class RayFollower
 {
-  Blame least{ -1, None };
-  for (int k = 0; k < static_cast<int>(views.size()); ++k)
+public:
+  RayFollower(const std::vector<View>& views, const std::vector<double>& offsets,
+    const Eigen::AlignedBox3d& box)
+    : Views(views)
+    , Offsets(offsets)
+    , Centre(box.center())
+    , Reach(0.5 * box.diagonal().norm())
+    , Step(2 * MedianFootprint(views, box.center()))
   {
-    if (k == except || views[k].Cam.Depth(x) <= 0)
+  }
+
+  /** Where a pixel's ray lies deepest inside the silhouettes of the other views. */
+  std::optional<Blame> Follow(int viewId, const Vector2d& pixel) const
+  {
+    const Camera& camera = this->Views[viewId].Cam;
+    const Vector3d origin = camera.Centre();
+    const Vector3d direction = camera.Unproject(pixel, 1) - origin;
+    const double middle = camera.Depth(this->Centre);
+    Blame best{ -1, -None };
+    for (double t = std::max(middle - this->Reach, this->Step); t <= middle + this->Reach;
+         t += this->Step)
     {
-      continue;
-    }
-    const Vector2d u = views[k].Cam.Project(x);
-    const ImageRef<const float>& contour = views[k].ContourDistance;
-    if (contour.Contains(
-          static_cast<int>(std::floor(u.x() + 0.5)), static_cast<int>(std::floor(u.y() + 0.5))))
-    {
-      const double inside = SampleBilinear(contour, u.x(), u.y());
-      if (inside < least.Excess)
+      const Blame least = this->LeastInside(viewId, origin + t * direction);
+      if (least.View >= 0 && least.Excess > best.Excess)
       {
-        least = { k, inside };
+        best = least;
       }
     }
+    return best.View >= 0 ? std::optional(best) : std::nullopt;
   }
-  return least;
-}
 
-/** Follows the ray of a pixel to where it lies deepest inside the silhouettes of the other views. */
-std::optional<Blame> BlameOf(const std::vector<View>& views, int viewId, const Vector2d& pixel,
-  const Vector3d& centre, double reach, double step)
-{
-  const Camera& camera = views[viewId].Cam;
-  const Vector3d origin = camera.Centre();
-  const Vector3d direction = camera.Unproject(pixel, 1) - origin;
-  const double middle = camera.Depth(centre);
-  Blame best{ -1, -None };
-  for (double t = std::max(middle - reach, step); t <= middle + reach; t += step)
+private:
+  /** The least distance inside the contours of all views but one; and whose it is. */
+  Blame LeastInside(int except, const Vector3d& x) const
   {
-    const Blame least = LeastInside(views, viewId, origin + t * direction);
-    if (least.View >= 0 && least.Excess > best.Excess)
+    Blame least{ -1, None };
+    for (int k = 0; k < static_cast<int>(this->Views.size()); ++k)
     {
-      best = least;
+      const Camera& camera = this->Views[k].Cam;
+      if (k == except || camera.Depth(x) <= 0)
+      {
+        continue;
+      }
+      const Vector2d u = camera.Project(x);
+      const ImageRef<const float>& contour = this->Views[k].ContourDistance;
+      if (contour.Contains(
+            static_cast<int>(std::floor(u.x() + 0.5)), static_cast<int>(std::floor(u.y() + 0.5))))
+      {
+        const double inside = SampleBilinear(contour, u.x(), u.y()) + this->Offsets[k];
+        if (inside < least.Excess)
+        {
+          least = { k, inside };
+        }
+      }
     }
+    return least;
   }
-  return best.View >= 0 ? std::optional(best) : std::nullopt;
-}
+
+  const std::vector<View>& Views;
+  const std::vector<double>& Offsets;
+  const Vector3d Centre;
+  const double Reach;
+  const double Step;
+};
 
 /** The pixels just inside a silhouette's contour, thinned out evenly. */
 std::vector<Vector2d> EdgePixels(const View& view, int about)
@@ -99,6 +123,31 @@ struct Survey
   std::size_t Rays = 0;
   std::vector<Blame> Blames; ///< of the rays that something stands against
 };
+
+std::vector<Survey> SurveyAll(const std::vector<View>& views, const std::vector<double>& offsets,
+  const Eigen::AlignedBox3d& box, const ConsistencyOptions& options, const Execution& execution)
+{
+  const RayFollower follower(views, offsets, box);
+  std::vector<Survey> surveys(views.size());
+  execution.ForEach(static_cast<std::int64_t>(views.size()),
+    [&](std::int64_t j)
+    {
+      const View& view = views[j];
+      for (const Vector2d& pixel : EdgePixels(view, options.RaysPerView))
+      {
+        ++surveys[j].Rays;
+        const auto blame = follower.Follow(static_cast<int>(j), pixel);
+        // The pixel itself lies this far inside its own contour.
+        const double own =
+          view.ContourDistance(static_cast<int>(pixel.x()), static_cast<int>(pixel.y()));
+        if (blame && own - blame->Excess > options.LeastPx)
+        {
+          surveys[j].Blames.push_back({ blame->View, own - blame->Excess });
+        }
+      }
+    });
+  return surveys;
+}
 
 double Median(std::vector<double> values)
 {
@@ -152,27 +201,18 @@ std::vector<double> FindContourOffsets(
   {
     return std::vector<double>(views.size(), 0);
   }
-  const double footprint = MedianFootprint(views, box.center());
-  const double reach = 0.5 * box.diagonal().norm();
-  std::vector<Survey> surveys(views.size());
-  execution.ForEach(static_cast<std::int64_t>(views.size()),
-    [&](std::int64_t j)
+  std::vector<double> offsets(views.size(), 0);
+  // A small offset may show only once a large one no longer hides it.
+  for (int round = 0; round < options.Rounds; ++round)
+  {
+    const std::vector<double> more =
+      Judge(SurveyAll(views, offsets, box, options, execution), options);
+    if (*std::max_element(more.begin(), more.end()) <= 0)
     {
-      const View& view = views[j];
-      for (const Vector2d& pixel : EdgePixels(view, options.RaysPerView))
-      {
-        ++surveys[j].Rays;
-        const auto blame =
-          BlameOf(views, static_cast<int>(j), pixel, box.center(), reach, 2 * footprint);
-        // The pixel itself lies this far inside its own contour.
-        const double own =
-          view.ContourDistance(static_cast<int>(pixel.x()), static_cast<int>(pixel.y()));
-        if (blame && own - blame->Excess > options.LeastPx)
-        {
-          surveys[j].Blames.push_back({ blame->View, own - blame->Excess });
-        }
-      }
-    });
-  return Judge(surveys, options);
+      break;
+    }
+    std::transform(more.begin(), more.end(), offsets.begin(), offsets.begin(), std::plus<>());
+  }
+  return offsets;
 }
 }

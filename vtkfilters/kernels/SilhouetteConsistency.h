@@ -12,9 +12,10 @@ namespace novelview
 struct ConsistencyOptions
 {
   int RaysPerView = 300;    ///< about so many rays of each silhouette's contour are followed
-  double LeastPx = 0.75;    ///< smaller offsets are left alone, and so is what disagrees by less
+  double LeastPx = 0.5;     ///< smaller offsets are left alone, and so is what disagrees by less
   double LeastShare = 0.05; ///< part of the others' rays that a silhouette has to cut
   double Outstanding = 3;   ///< and so many times the median silhouette's part
+  int Rounds = 3;           ///< at most, each with what the last one found put right
 };
 
 /**
