@@ -49,6 +49,13 @@ SynthesisOptions PresetOptions(const std::string& preset)
 
 namespace
 {
+std::string Pixels(double length)
+{
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.1f px", length);
+  return text;
+}
+
 /** A picture without a single pixel of the object is nothing to hand out silently. */
 void RequireObject(vtkImageData* image)
 {
@@ -208,20 +215,31 @@ private:
   /** Tells once of every silhouette that was enlarged. */
   void WarnOfOffsets()
   {
-    vtkMultiBlockDataSet* views = this->Reconciler->GetOutput();
-    for (unsigned int viewId = 0; !this->ToldOfOffsets && viewId < views->GetNumberOfBlocks();
-         ++viewId)
+    if (this->ToldOfOffsets || !this->Listener.Warn)
     {
-      const double offset = AttachedNumber(ViewImage(views, viewId), arrays::ContourOffset, 0);
-      if (offset > 0 && this->Listener.Warn)
-      {
-        char pixels[32];
-        std::snprintf(pixels, sizeof(pixels), "%.1f", offset);
-        this->Listener.Warn("silhouette of " + ViewName(views, viewId) + ": " + pixels +
-          " px smaller than the others allow; enlarged by that");
-      }
+      return;
     }
     this->ToldOfOffsets = true;
+    vtkMultiBlockDataSet* views = this->Reconciler->GetOutput();
+    std::vector<double> offsets;
+    for (unsigned int viewId = 0; viewId < views->GetNumberOfBlocks(); ++viewId)
+    {
+      offsets.push_back(AttachedNumber(ViewImage(views, viewId), arrays::ContourOffset, 0));
+    }
+    const double common = *std::min_element(offsets.begin(), offsets.end());
+    if (common > 0)
+    {
+      this->Listener.Warn(
+        "silhouettes and cameras disagree; every silhouette is enlarged by " + Pixels(common));
+    }
+    for (unsigned int viewId = 0; viewId < offsets.size(); ++viewId)
+    {
+      if (offsets[viewId] > common)
+      {
+        this->Listener.Warn("silhouette of " + ViewName(views, viewId) + ": " +
+          Pixels(offsets[viewId] - common) + " smaller than the others allow; enlarged by that");
+      }
+    }
   }
 
   void Run(const std::string& stage, vtkAlgorithm* filter)

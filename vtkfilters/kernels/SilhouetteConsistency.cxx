@@ -118,10 +118,10 @@ std::vector<Vector2d> EdgePixels(const View& view, int about)
   return thinned;
 }
 
+/** What the rays through one silhouette's edge met. */
 struct Survey
 {
-  std::size_t Rays = 0;
-  std::vector<Blame> Blames; ///< of the rays that something stands against
+  std::vector<Blame> Blames; ///< the excess is below 0 where nothing stands against the ray
 };
 
 std::vector<Survey> SurveyAll(const std::vector<View>& views, const std::vector<double>& offsets,
@@ -135,13 +135,11 @@ std::vector<Survey> SurveyAll(const std::vector<View>& views, const std::vector<
       const View& view = views[j];
       for (const Vector2d& pixel : EdgePixels(view, options.RaysPerView))
       {
-        ++surveys[j].Rays;
-        const auto blame = follower.Follow(static_cast<int>(j), pixel);
-        // The pixel itself lies this far inside its own contour.
-        const double own =
-          view.ContourDistance(static_cast<int>(pixel.x()), static_cast<int>(pixel.y()));
-        if (blame && own - blame->Excess > options.LeastPx)
+        if (const auto blame = follower.Follow(static_cast<int>(j), pixel))
         {
+          // The pixel itself lies this far inside its own contour.
+          const double own =
+            view.ContourDistance(static_cast<int>(pixel.x()), static_cast<int>(pixel.y()));
           surveys[j].Blames.push_back({ blame->View, own - blame->Excess });
         }
       }
@@ -149,49 +147,75 @@ std::vector<Survey> SurveyAll(const std::vector<View>& views, const std::vector<
   return surveys;
 }
 
-double Median(std::vector<double> values)
+double Quantile(std::vector<double> values, double share)
 {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  if (values.empty())
+  {
+    return 0;
+  }
+  const auto rank = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), values.begin() + rank, values.end());
+  return values[rank];
 }
 
-std::vector<double> Judge(const std::vector<Survey>& surveys, const ConsistencyOptions& options)
+/** By how much each silhouette that stands out is too small. */
+std::vector<double> FindOutstanding(
+  const std::vector<Survey>& surveys, const ConsistencyOptions& options)
 {
   std::vector<std::vector<double>> excesses(surveys.size());
-  std::vector<double> shares(surveys.size(), 0);
   std::size_t rays = 0;
   for (const Survey& survey : surveys)
   {
-    rays += survey.Rays;
+    rays += survey.Blames.size();
     for (const Blame& blame : survey.Blames)
     {
-      excesses[blame.View].push_back(blame.Excess);
+      if (blame.Excess > options.LeastPx)
+      {
+        excesses[blame.View].push_back(blame.Excess);
+      }
     }
   }
+  std::vector<double> shares(surveys.size(), 0);
   for (std::size_t k = 0; k < surveys.size(); ++k)
   {
-    const std::size_t others = rays - surveys[k].Rays;
-    shares[k] = others ? static_cast<double>(excesses[k].size()) / others : 0;
+    const std::size_t others = rays - surveys[k].Blames.size();
+    shares[k] = others ? static_cast<double>(excesses[k].size()) / static_cast<double>(others) : 0;
   }
-  const double usual = Median(shares);
+  const double usual = Quantile(shares, 0.5);
   std::vector<double> offsets(surveys.size(), 0);
   for (std::size_t k = 0; k < surveys.size(); ++k)
   {
     if (shares[k] > options.LeastShare && shares[k] > options.Outstanding * usual)
     {
-      std::vector<double>& e = excesses[k];
-      std::sort(e.begin(), e.end());
-      offsets[k] = e[(e.size() - 1) * 9 / 10];
+      offsets[k] = Quantile(excesses[k], 0.9);
     }
   }
   return offsets;
+}
+
+/** How much all silhouettes together are too small: of those that are off to either side, the
+ * smaller one decides everywhere. */
+double FindSlack(const std::vector<Survey>& surveys, const ConsistencyOptions& options)
+{
+  std::vector<double> disagreements;
+  for (const Survey& survey : surveys)
+  {
+    std::vector<double> excesses;
+    for (const Blame& blame : survey.Blames)
+    {
+      excesses.push_back(blame.Excess);
+    }
+    disagreements.push_back(Quantile(excesses, 0.9));
+  }
+  const double usual = Quantile(disagreements, 0.5);
+  return usual > options.LeastPx ? std::min(0.5 * usual, options.MostSlackPx) : 0;
 }
 }
 
 std::vector<double> FindContourOffsets(
   const std::vector<View>& views, const ConsistencyOptions& options, const Execution& execution)
 {
+  std::vector<double> offsets(views.size(), 0);
   Eigen::AlignedBox3d box;
   try
   {
@@ -199,19 +223,24 @@ std::vector<double> FindContourOffsets(
   }
   catch (const Error&)
   {
-    return std::vector<double>(views.size(), 0);
+    return offsets;
   }
-  std::vector<double> offsets(views.size(), 0);
+  std::vector<Survey> surveys;
   // A small offset may show only once a large one no longer hides it.
   for (int round = 0; round < options.Rounds; ++round)
   {
-    const std::vector<double> more =
-      Judge(SurveyAll(views, offsets, box, options, execution), options);
+    surveys = SurveyAll(views, offsets, box, options, execution);
+    const std::vector<double> more = FindOutstanding(surveys, options);
     if (*std::max_element(more.begin(), more.end()) <= 0)
     {
       break;
     }
     std::transform(more.begin(), more.end(), offsets.begin(), offsets.begin(), std::plus<>());
+  }
+  const double slack = FindSlack(surveys, options);
+  for (double& offset : offsets)
+  {
+    offset += slack;
   }
   return offsets;
 }

@@ -16,17 +16,21 @@ struct ConsistencyOptions
   double LeastShare = 0.05; ///< part of the others' rays that a silhouette has to cut
   double Outstanding = 3;   ///< and so many times the median silhouette's part
   int Rounds = 3;           ///< at most, each with what the last one found put right
+  double MostSlackPx = 0.6; ///< what all are enlarged by at most
 };
 
 /**
- * By how many pixels each silhouette is too small, judged by all others; 0 for those that do not
- * stand out.
+ * By how many pixels each silhouette is too small, judged by all others; 0 in a set that agrees.
  *
  * The ray through a pixel at the edge of one silhouette touches the object, so that somewhere along
  * it every other silhouette should say "inside". Where the best such point lies outside just one,
  * by e pixels, that one is blamed. A silhouette that is blamed by far more rays than others are is
- * too small by the ninth decile of its e. The intersection of silhouettes forgives one that is too
- * large, and never one that is too small.
+ * too small by the ninth decile of its e.
+ *
+ * The intersection of silhouettes forgives one that is too large, and never one that is too small.
+ * Where masks or cameras are off by a little in all views, it is therefore too small everywhere; half
+ * of the ninth decile of what stands against a silhouette's rays (median over the views) is given
+ * back to all.
  *
  * Views need Mask and ContourDistance. All 0 when the silhouettes bound no box (FindSearchBox);
  * whoever needs the box reports that.
