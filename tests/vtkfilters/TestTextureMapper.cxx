@@ -184,5 +184,5 @@ TEST(TextureMapper, PrintsEveryMember)
 {
   ExpectPrints(TheCase().Mapper(),
     { "Camera", "References", "Power", "FeatherWidth", "OcclusionSoftness", "UseDepthMaps",
-      "RimSamples" });
+      "UseExposureGains", "RimSamples" });
 }
