@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "DentCase.h"
 #include "FieldDeformation.h"
 #include "NovelProjection.h"
 #include "ViewSelection.h"
@@ -9,41 +10,9 @@
 using namespace novelview;
 using namespace support;
 
-namespace
-{
-const Vector3d Bite(0.18, 0, 0.67); ///< centre of the ball bitten out, towards the novel camera
-
-/** A dented sphere with its true depth maps, and a sphere a pixel and a half larger around it. */
-struct DentCase
-{
-  DistanceFunction Truth = DentedSphereDistance(0.5, Bite, 0.3);
-  std::vector<Photo> Photos = TakeAll(Traced(Truth, 0.6), Plain(200, 200, 200), Ring(12, 30));
-  Image<float> Confidence{ 160, 120, 1, 1.f };
-  std::vector<View> Views = ViewsOf(Photos);
-  TriangleMesh Mesh = SphereMesh(Vector3d::Zero(), 0.515, 4);
-  Camera Novel = OnRing(15);
-  std::vector<std::uint8_t> Visible = VisibleVertices(Mesh, Novel);
-
-  DentCase()
-  {
-    for (std::size_t i = 0; i < Views.size(); ++i)
-    {
-      Views[i].DepthMap = std::as_const(Photos[i].TrueDepth).Ref();
-      Views[i].Confidence = std::as_const(Confidence).Ref();
-    }
-  }
-};
-
-const DentCase& TheCase()
-{
-  static const DentCase dent;
-  return dent;
-}
-}
-
 TEST(FieldDeformation, WithTrueDepthMapsTheDentIsFound)
 {
-  const DentCase& dent = TheCase();
+  const DentCase& dent = TheDent();
   const auto result = DeformNonOutlineByField(dent.Mesh, dent.Visible, dent.Views, dent.Novel);
   double off = 0;
   double offBefore = 0;
@@ -65,7 +34,7 @@ TEST(FieldDeformation, WithTrueDepthMapsTheDentIsFound)
 
 TEST(FieldDeformation, OtherPointsStayOnTheirRays)
 {
-  const DentCase& dent = TheCase();
+  const DentCase& dent = TheDent();
   const auto result = DeformNonOutlineByField(dent.Mesh, dent.Visible, dent.Views, dent.Novel);
   const Vector3d centre = dent.Novel.Centre();
   const double millionth = 1e-6 * BoundingDiagonal(dent.Mesh.Points);
@@ -80,7 +49,7 @@ TEST(FieldDeformation, OtherPointsStayOnTheirRays)
 
 TEST(FieldDeformation, OutlinePointsKeepTheirDepthAndNoTriangleFlips)
 {
-  const DentCase& dent = TheCase();
+  const DentCase& dent = TheDent();
   const auto result = DeformOutlineByField(dent.Mesh, dent.Visible, dent.Views, dent.Novel);
   const double millionth = 1e-6 * BoundingDiagonal(dent.Mesh.Points);
   int moved = 0;
@@ -104,7 +73,7 @@ TEST(FieldDeformation, OutlinePointsKeepTheirDepthAndNoTriangleFlips)
 
 TEST(FieldDeformation, TheFusedSilhouetteIsThatOfTheObject)
 {
-  const DentCase& dent = TheCase();
+  const DentCase& dent = TheDent();
   const double footprint = MedianFootprint(dent.Views, Vector3d::Zero());
   const FusedField field(dent.Views, {}, footprint);
   const auto silhouette = FusedSilhouette(dent.Mesh, dent.Views, field, dent.Novel, footprint);
@@ -126,7 +95,7 @@ TEST(FieldDeformation, TheFusedSilhouetteIsThatOfTheObject)
 
 TEST(FieldDeformation, ViewsWithoutMapsAreNamed)
 {
-  const DentCase& dent = TheCase();
+  const DentCase& dent = TheDent();
   auto views = dent.Views;
   views[3].DepthMap = {};
   ExpectError([&] { DeformOutlineByField(dent.Mesh, dent.Visible, views, dent.Novel); },
@@ -137,7 +106,7 @@ TEST(FieldDeformation, ViewsWithoutMapsAreNamed)
 
 TEST(FieldDeformation, TheListenerHearsEveryIterationOnceAndTheStart)
 {
-  const DentCase& dent = TheCase();
+  const DentCase& dent = TheDent();
   FieldDeformationOptions options;
   options.Iterations = 3;
   std::vector<int> heard;
@@ -151,7 +120,7 @@ TEST(FieldDeformation, TheListenerHearsEveryIterationOnceAndTheStart)
 
 TEST(FieldDeformation, SameBitsWithOneAndMoreThreads)
 {
-  const DentCase& dent = TheCase();
+  const DentCase& dent = TheDent();
   const auto one = DeformOutlineByField(dent.Mesh, dent.Visible, dent.Views, dent.Novel);
   const auto three =
     DeformOutlineByField(dent.Mesh, dent.Visible, dent.Views, dent.Novel, {}, {}, InThreads(3));
@@ -160,4 +129,44 @@ TEST(FieldDeformation, SameBitsWithOneAndMoreThreads)
   EXPECT_EQ(DeformNonOutlineByField(dent.Mesh, dent.Visible, dent.Views, dent.Novel).Mesh.Points,
     DeformNonOutlineByField(dent.Mesh, dent.Visible, dent.Views, dent.Novel, {}, {}, InThreads(3))
       .Mesh.Points);
+}
+
+namespace
+{
+/** The numbers of FieldDeformationOptions that grow with the maps' noise. */
+std::vector<double> Growing(double noise)
+{
+  const FieldDeformationOptions options = OptionsForNoise(noise);
+  return { options.Surface.TruncationPx, options.Surface.SurfacePrior, options.Outline.TruncationPx,
+    options.Silhouette.SmoothingPx };
+}
+}
+
+TEST(FieldDeformation, OptionsGrowWithTheNoiseBetweenTheirLimits)
+{
+  EXPECT_EQ(Growing(0), (std::vector<double>{ 3, 0.05, 2, 0 })) << "as sharp as pixels allow";
+  EXPECT_EQ(Growing(100), (std::vector<double>{ 6, 0.3, 5, 1 }));
+  std::vector<double> before = Growing(0);
+  for (double noise = 0.05; noise < 2; noise += 0.05)
+  {
+    const std::vector<double> now = Growing(noise);
+    for (std::size_t i = 0; i < now.size(); ++i)
+    {
+      EXPECT_GE(now[i], before[i]) << "option " << i << " at noise " << noise;
+    }
+    before = now;
+  }
+  EXPECT_EQ(before, Growing(100)) << "all limits are reached";
+}
+
+TEST(FieldDeformation, OptionsForSharpMapsAreTheDefaults)
+{
+  const FieldDeformationOptions sharp = OptionsForNoise(0);
+  const FieldDeformationOptions plain;
+  EXPECT_EQ(sharp.Surface.TruncationPx, plain.Surface.TruncationPx);
+  EXPECT_EQ(sharp.Surface.SurfacePrior, plain.Surface.SurfacePrior);
+  EXPECT_EQ(sharp.Outline.TruncationPx, plain.Outline.TruncationPx);
+  EXPECT_EQ(sharp.Outline.SilhouettePrior, plain.Outline.SilhouettePrior);
+  EXPECT_EQ(sharp.Silhouette.SmoothingPx, plain.Silhouette.SmoothingPx);
+  EXPECT_EQ(sharp.Silhouette.PredictionWeight, plain.Silhouette.PredictionWeight);
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "FieldDeformation.h"
 #include "NonOutlineDeformation.h"
 #include "OutlineDeformation.h"
 #include "Threads.h"
@@ -248,14 +249,122 @@ TEST(NonOutlineDeformer, LeavesOutlinePointsAndInvisibleOnesWhereTheyAre)
   EXPECT_GT(moved, 10);
 }
 
+namespace
+{
+/** The sphere's views with their true depth maps, as blocks and as the kernels take them. */
+struct MappedCase
+{
+  vtkSmartPointer<vtkMultiBlockDataSet> Blocks = ToBlocks(TheCase().Photos);
+  std::vector<View> Views;
+
+  MappedCase()
+  {
+    for (unsigned int viewId = 0; viewId < Blocks->GetNumberOfBlocks(); ++viewId)
+    {
+      CopyToArray(TheCase().Photos[viewId].TrueDepth, arrays::Depth, ViewImage(Blocks, viewId));
+      CopyToArray(Image<float>(160, 120, 1, 1.f), arrays::Confidence, ViewImage(Blocks, viewId));
+    }
+    ViewNeeds needs;
+    needs.Color = needs.ContourDistance = true;
+    Views = ReadViews(Blocks, needs);
+  }
+
+  template <class Deformer>
+  vtkSmartPointer<Deformer> With() const
+  {
+    auto deformer = TheCase().With<Deformer>();
+    deformer->SetInputData(1, this->Blocks);
+    deformer->UseDepthMapsOn();
+    return deformer;
+  }
+};
+
+/** What the kernel makes of the outline with these options. */
+std::vector<Vector3d> OutlineOf(const MappedCase& mapped, FieldDeformationOptions options)
+{
+  const SphereCase& sphere = TheCase();
+  options.Iterations = 3;
+  return DeformOutlineByField(
+    sphere.Mesh, VisibleVertices(sphere.Mesh, sphere.Novel), mapped.Views, sphere.Novel, options)
+    .Mesh.Points;
+}
+
+std::vector<Vector3d> Updated(vtkViewDeformer* deformer)
+{
+  deformer->Update();
+  return Geometry(deformer->GetOutput()).first;
+}
+}
+
+TEST(OutlineDeformer, ContourPredictionIsOnUntilSwitchedOff)
+{
+  const MappedCase mapped;
+  const auto deformer = mapped.With<vtkOutlineDeformer>();
+  const auto with = Updated(deformer);
+  EXPECT_EQ(with, OutlineOf(mapped, OptionsForNoise(0)));
+  deformer->UseContourPredictionOff();
+  FieldDeformationOptions off = OptionsForNoise(0);
+  off.Silhouette.PredictionWeight = 0;
+  const auto without = Updated(deformer);
+  EXPECT_EQ(without, OutlineOf(mapped, off));
+  EXPECT_NE(without, with);
+}
+
+TEST(OutlineDeformer, TakesTheNoiseAndPriorThatAreSetBeforeThoseOfTheViews)
+{
+  const MappedCase mapped;
+  const auto deformer = mapped.With<vtkOutlineDeformer>();
+  const auto plain = Updated(deformer);
+  AttachNumber(mapped.Blocks, arrays::DepthNoise, 0.8);
+  AttachNumber(mapped.Blocks, arrays::SilhouettePrior, 0.5);
+  mapped.Blocks->Modified();
+  FieldDeformationOptions attached = OptionsForNoise(0.8);
+  attached.Outline.SilhouettePrior = 0.5;
+  const auto measured = Updated(deformer);
+  EXPECT_EQ(measured, OutlineOf(mapped, attached));
+  EXPECT_NE(measured, plain);
+  deformer->SetDepthNoise(0.4);
+  deformer->SetSilhouettePrior(0.9);
+  FieldDeformationOptions set = OptionsForNoise(0.4);
+  set.Outline.SilhouettePrior = 0.9;
+  const auto told = Updated(deformer);
+  EXPECT_EQ(told, OutlineOf(mapped, set));
+  EXPECT_NE(told, measured);
+}
+
+TEST(NonOutlineDeformer, FollowsTheMapsByTheNoiseThatIsSetOrMeasured)
+{
+  const MappedCase mapped;
+  const auto deformer = mapped.With<vtkNonOutlineDeformer>();
+  const auto plain = Updated(deformer);
+  deformer->SetDepthNoise(0.8);
+  const auto told = Updated(deformer);
+  EXPECT_NE(told, plain);
+  deformer->SetDepthNoise(0);
+  AttachNumber(mapped.Blocks, arrays::DepthNoise, 0.8);
+  mapped.Blocks->Modified();
+  EXPECT_EQ(Updated(deformer), told);
+}
+
+TEST(ViewDeformer, DepthNoiseIsClampedToItsRange)
+{
+  const auto outline = TheCase().With<vtkOutlineDeformer>();
+  outline->SetDepthNoise(-1);
+  EXPECT_EQ(outline->GetDepthNoise(), 0);
+  outline->SetDepthNoise(11);
+  EXPECT_EQ(outline->GetDepthNoise(), 10);
+}
+
 TEST(ViewDeformer, PrintsEveryMember)
 {
-  const std::vector<std::string> shared{ "Camera", "NumberOfIterations", "Iteration", "PointsMoved",
-    "MeanEnergy", "MeanPhotoEnergy", "MeanContourEnergy", "MeanSmoothEnergy", "CurrentMesh" };
+  const std::vector<std::string> shared{ "Camera", "NumberOfIterations", "UseDepthMaps",
+    "DepthNoise", "Iteration", "PointsMoved", "MeanEnergy", "MeanPhotoEnergy", "MeanContourEnergy",
+    "MeanSmoothEnergy", "CurrentMesh" };
   const auto outline = TheCase().With<vtkOutlineDeformer>();
   ExpectPrints(outline, shared);
-  ExpectPrints(
-    outline, { "ContourWeight", "SmoothWeight", "SearchRange", "WindowRadius", "ContourSigma" });
+  ExpectPrints(outline,
+    { "ContourWeight", "SmoothWeight", "SearchRange", "WindowRadius", "ContourSigma",
+      "SilhouettePrior", "UseContourPrediction" });
   const auto inner = TheCase().With<vtkNonOutlineDeformer>();
   ExpectPrints(inner, shared);
   ExpectPrints(inner, { "SmoothWeight", "SearchRange", "WindowRadius", "MatchRange" });

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "FieldDeformation.h"
+#include "MapComparison.h"
 #include "ReferenceDepth.h"
+#include "SilhouettePrior.h"
 #include "Threads.h"
+#include "ViewSelection.h"
 #include "support/VtkScene.h"
 #include "vtkReferenceDepthEstimator.h"
 
+#include <vtkFieldData.h>
 #include <vtkPointData.h>
 
 using namespace novelview;
@@ -94,6 +99,60 @@ TEST(ReferenceDepthEstimator, LeavesTheInputAloneAndRunsTwice)
   estimator->Update();
   EXPECT_EQ(DepthsOf(estimator->GetOutput()), first);
   SetNumberOfThreads(0);
+}
+
+TEST(ReferenceDepthEstimator, AttachesWhatTheMapsTellOfEachOther)
+{
+  const SphereCase& sphere = TheCase();
+  const auto estimator = sphere.Estimator();
+  estimator->Update();
+  vtkMultiBlockDataSet* output = estimator->GetOutput();
+  const auto views = ReadViews(output, {});
+  const double footprint = MedianFootprint(views, Vector3d::Zero());
+  const double noise = DepthNoise(views, footprint);
+  EXPECT_GT(noise, 0);
+  EXPECT_EQ(AttachedNumber(output, arrays::DepthNoise, -1), noise);
+  SilhouettePriorOptions prior;
+  prior.Fusion = OptionsForNoise(noise).Outline;
+  EXPECT_EQ(AttachedNumber(output, arrays::SilhouettePrior, -1),
+    FindSilhouettePrior(views, sphere.Hull, prior));
+  const auto gains = ExposureGains(views, footprint);
+  for (unsigned int viewId = 0; viewId < views.size(); ++viewId)
+  {
+    EXPECT_EQ(AttachedNumber(ViewImage(output, viewId), arrays::ExposureGain, -1), gains[viewId]);
+    EXPECT_EQ(views[viewId].Gain, gains[viewId]);
+    EXPECT_FALSE(ViewImage(sphere.Blocks, viewId)->GetFieldData()->HasArray(arrays::ExposureGain))
+      << "the input is left alone";
+  }
+  EXPECT_FALSE(sphere.Blocks->GetFieldData()->HasArray(arrays::DepthNoise));
+}
+
+TEST(ReferenceDepthEstimator, FindsABrighterPhotograph)
+{
+  auto photos = TheCase().Photos;
+  for (std::uint8_t& value : photos[2].Color.Values)
+  {
+    value = static_cast<std::uint8_t>(std::lround(0.9 * value));
+  }
+  const auto estimator = TheCase().Estimator();
+  estimator->SetInputData(0, ToBlocks(photos));
+  estimator->Update();
+  const auto views = ReadViews(estimator->GetOutput(), {});
+  const double mean = std::pow(0.9, 0.25);
+  for (std::size_t i = 0; i < views.size(); ++i)
+  {
+    // Estimated maps are off by some tenths of a footprint, which shifts colours either way.
+    EXPECT_NEAR(views[i].Gain, (i == 2 ? 0.9 : 1) / mean, 0.015) << i;
+  }
+}
+
+TEST(ReferenceDepthEstimator, WithoutMapsThereIsNothingToCompare)
+{
+  const auto estimator = TheCase().Estimator();
+  estimator->SetInputData(1, ToPolyData({}));
+  estimator->Update();
+  EXPECT_FALSE(estimator->GetOutput()->GetFieldData()->HasArray(arrays::DepthNoise));
+  EXPECT_EQ(ReadViews(estimator->GetOutput(), {})[0].Gain, 1);
 }
 
 TEST(ReferenceDepthEstimator, AnEmptyHullGivesUnknownDepthsAndNoRubbish)

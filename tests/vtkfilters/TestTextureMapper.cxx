@@ -90,6 +90,39 @@ TEST(TextureMapper, UsesTheOccludersOfItsThirdPort)
     TextureView(plane.Mesh, nullptr, ViewsOf(plane.Photos), plane.Novel).Seen.Values);
 }
 
+TEST(TextureMapper, PhotographsOfDifferentExposureAreBroughtToTheirMean)
+{
+  // A grey wall of 150, photographed 1.2 and 1.1 times as bright.
+  const PlaneCase& plane = TheCase();
+  const auto photos =
+    std::vector<Photo>{ Take(Rectangle(0.6, 0.4), Plain(180, 180, 180), OnRing(-20), "bright"),
+      Take(Rectangle(0.6, 0.4), Plain(165, 165, 165), OnRing(25, 10), "less") };
+  const auto plain = ToBlocks(photos);
+  const auto blocks = ToBlocks(photos);
+  AttachNumber(blocks->GetBlock(0), arrays::ExposureGain, 1.2);
+  AttachNumber(blocks->GetBlock(1), arrays::ExposureGain, 1.1);
+  const auto picture = [&](vtkMultiBlockDataSet* views, bool useGains)
+  {
+    const auto mapper = plane.Mapper();
+    mapper->SetInputData(1, views);
+    mapper->SetUseExposureGains(useGains);
+    mapper->Update();
+    return Values<unsigned char>(mapper->GetOutput(), "Color", 3);
+  };
+  const std::size_t middle = 3 * (60 * 160 + 80);
+  const auto balanced = picture(blocks, true);
+  for (const unsigned char value : balanced)
+  {
+    EXPECT_TRUE(value == 0 || value == 150) << int(value); // 180 / 1.2 = 165 / 1.1
+  }
+  EXPECT_EQ(balanced[middle], 150);
+  const auto untouched = picture(blocks, false);
+  EXPECT_EQ(untouched, picture(plain, false)) << "off: the numbers are not looked at";
+  EXPECT_GT(untouched[middle], 165);
+  EXPECT_LT(untouched[middle], 180);
+  EXPECT_EQ(picture(plain, true), untouched) << "without numbers nothing is to be divided by";
+}
+
 TEST(TextureMapper, FollowsItsCameraInPlaceAndSize)
 {
   const auto mapper = TheCase().Mapper();
@@ -151,5 +184,5 @@ TEST(TextureMapper, PrintsEveryMember)
 {
   ExpectPrints(TheCase().Mapper(),
     { "Camera", "References", "Power", "FeatherWidth", "OcclusionSoftness", "UseDepthMaps",
-      "RimSamples" });
+      "UseExposureGains", "RimSamples" });
 }

@@ -135,6 +135,31 @@ TEST(ViewAccess, AMissingOrBadCameraIsNamed)
   ExpectError([&] { ReadViews(views, {}); }, "view 1 (p1): R is not a rotation");
 }
 
+TEST(ViewAccess, AnExposureGainIsReadAndMustBePositive)
+{
+  const auto views = ToBlocks(TwoPhotos());
+  AttachNumber(BlockOf(views, 1), arrays::ExposureGain, 1.25);
+  EXPECT_EQ(ReadViews(views, {})[0].Gain, 1) << "none attached";
+  EXPECT_EQ(ReadViews(views, {})[1].Gain, 1.25);
+  for (const double gain : { 0.0, -1.5, std::nan("") })
+  {
+    AttachNumber(BlockOf(views, 1), arrays::ExposureGain, gain);
+    ExpectError([&] { ReadViews(views, {}); },
+      "view 1 (p1): ExposureGain is out of range (got " + std::to_string(gain) +
+        ", expected more than 0)");
+  }
+}
+
+TEST(ViewAccess, NumbersOfTheWholeComeBackOrTheirDefault)
+{
+  const auto views = ToBlocks(TwoPhotos());
+  EXPECT_EQ(AttachedNumber(views, arrays::DepthNoise, 7), 7);
+  AttachNumber(views, arrays::DepthNoise, 0.3);
+  AttachNumber(views, arrays::DepthNoise, 0.4); // replaced
+  EXPECT_EQ(AttachedNumber(views, arrays::DepthNoise, 7), 0.4);
+  EXPECT_EQ(AttachedNumber(nullptr, arrays::DepthNoise, 7), 7);
+}
+
 TEST(ViewAccess, TooFewViewsAndBlocksThatAreNoImages)
 {
   const auto views = ToBlocks(TwoPhotos());

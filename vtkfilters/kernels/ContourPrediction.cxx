@@ -42,14 +42,17 @@ std::optional<TangentPlane> TangentPlaneOf(const View& view, const Vector3d& poi
   {
     return std::nullopt;
   }
-  const Vector3d viewRay = (point - view.Cam.Centre()).normalized();
-  Vector3d outwards = view.Cam.Unproject(u - gradient.normalized(), depth) - point;
+  // The plane holds the ray to the contour, which is not the one to the point.
+  const Vector2d inwards = gradient.normalized();
+  const Vector2d contour = u - at(0, 0) * inwards;
+  const Vector3d touched = view.Cam.Unproject(contour, depth);
+  const Vector3d viewRay = (touched - view.Cam.Centre()).normalized();
+  Vector3d outwards = view.Cam.Unproject(contour - inwards, depth) - touched;
   outwards -= outwards.dot(viewRay) * viewRay;
-  const double perPixel = outwards.norm();
-  outwards /= perPixel;
+  outwards.normalize();
   TangentPlane plane;
   plane.Theta = std::atan2(outwards.dot(ray), outwards.dot(normal));
-  plane.Distance = at(0, 0) * perPixel;
+  plane.Distance = outwards.dot(touched - point);
   const bool fits = std::abs(outwards.dot(ray.cross(normal))) <= options.MaxTilt &&
     std::abs(plane.Theta) <= options.MaxAngleDeg * EIGEN_PI / 180;
   return fits ? std::optional(plane) : std::nullopt;

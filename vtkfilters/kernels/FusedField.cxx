@@ -70,6 +70,10 @@ void FusedField::ClipToBounds(
       from = std::max(from, std::min(a, b));
       to = std::min(to, std::max(a, b));
     }
+    else if (origin[axis] < this->Bounds.min()[axis] || origin[axis] > this->Bounds.max()[axis])
+    {
+      to = -std::numeric_limits<double>::infinity();
+    }
   }
 }
 

@@ -143,6 +143,10 @@ double DepthNoise(const std::vector<View>& views, double footprint, const Execut
 std::vector<double> ExposureGains(
   const std::vector<View>& views, double footprint, const Execution& execution)
 {
+  if (views.empty())
+  {
+    return {};
+  }
   const auto count = static_cast<Eigen::Index>(views.size());
   const auto neighbours = NearestNeighbours(views, Neighbours);
   std::vector<std::vector<std::pair<double, double>>> medians(views.size()); // and their weights
@@ -174,7 +178,7 @@ std::vector<double> ExposureGains(
       right[j] -= weight * median;
     }
   }
-  normal.diagonal().array() += 1e-3 * normal.trace() / static_cast<double>(count) + 1e-9;
+  normal.diagonal().array() += 1e-6 * normal.trace() / static_cast<double>(count) + 1e-9;
   Eigen::VectorXd logGains = normal.ldlt().solve(right);
   logGains.array() -= logGains.mean();
   std::vector<double> gains(views.size());
