@@ -15,18 +15,19 @@ unset DISPLAY
 configurations=(
   "paper|--preset paper"
   "paper + depth maps|--preset paper --depth-maps"
-  "best without depth maps|--no-depth-maps"
+  "best without reconciled silhouettes|--no-reconcile-silhouettes"
+  "best without contour prediction|--no-contour-prediction"
+  "best without measured depth noise|--depth-noise 0.15"
+  "best without exposure gains|--no-exposure-gains"
   "best|"
 )
 # name|options of generate
 objects=(
   "bunny wood|--mesh bunny --texture wood"
-  "bunny checker|--mesh bunny --texture checker"
   "stool wood|--mesh stool --texture wood"
   "part checker|--mesh part --texture checker"
   "torus marble|--mesh torus --texture marble"
   "bust plaster|--mesh bust --texture plaster"
-  "bust marble|--mesh bust --texture marble"
   "bunny, 2 masks shrunk 2 px|--mesh bunny --texture wood --mask-erode 2 --mask-erode-views 1,5"
   "bunny, 2 masks grown 2 px|--mesh bunny --texture wood --mask-erode -2 --mask-erode-views 1,5"
   "bunny, calibration off 0.75 px|--mesh bunny --texture wood --calibration-noise 0.75"
