@@ -181,11 +181,13 @@ std::vector<double> FindOutstanding(
     const std::size_t others = rays - surveys[k].Blames.size();
     shares[k] = others ? static_cast<double>(excesses[k].size()) / static_cast<double>(others) : 0;
   }
-  const double usual = Quantile(shares, 0.5);
+  // A ray that gives way to the culprit may run into another: the worst are put right first.
+  const double least = std::max({ options.LeastShare, options.Outstanding * Quantile(shares, 0.5),
+    0.6 * *std::max_element(shares.begin(), shares.end()) });
   std::vector<double> offsets(surveys.size(), 0);
   for (std::size_t k = 0; k < surveys.size(); ++k)
   {
-    if (shares[k] > options.LeastShare && shares[k] > options.Outstanding * usual)
+    if (shares[k] > least)
     {
       offsets[k] = Quantile(excesses[k], 0.9);
     }

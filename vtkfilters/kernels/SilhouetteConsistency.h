@@ -15,7 +15,7 @@ struct ConsistencyOptions
   double LeastPx = 0.5;     ///< smaller offsets are left alone, and so is what disagrees by less
   double LeastShare = 0.05; ///< part of the others' rays that a silhouette has to cut
   double Outstanding = 3;   ///< and so many times the median silhouette's part
-  int Rounds = 3;           ///< at most, each with what the last one found put right
+  int Rounds = 5;           ///< at most, each with what the last one found put right
   double MostSlackPx = 0.6; ///< what all are enlarged by at most
 };
 
