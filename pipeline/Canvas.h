@@ -35,6 +35,14 @@ inline constexpr Colour Outline = { 1.00, 0.45, 0.20 };
 inline constexpr Colour NonOutline = { 0.35, 0.72, 0.95 };
 }
 
+/** What all laid-out pictures measure the same, pixels. */
+inline constexpr int Gap = 8;
+inline constexpr int TitleHeight = 44;
+inline constexpr int HeaderHeight = 32;
+
+/** A number as printf would print it. */
+std::string Formatted(const char* format, double value);
+
 /** A rectangle of the window, pixels, (0, 0) = top left. */
 struct Box
 {

@@ -9,28 +9,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace novelview
 {
 namespace
 {
-constexpr int Gap = 8;
-constexpr int TitleHeight = 44;
-constexpr int HeaderHeight = 32;
 constexpr int NameWidth = 150;
 constexpr int BarWidth = 72;
 constexpr int MostWidth = 400; ///< of a picture on the contact sheet
 constexpr int MostHeight = 240;
 constexpr int MostOfAll = 8000; ///< height of the contact sheet: half of what the driver can do
 constexpr double ErrorRange = 80;
-
-std::string Formatted(const char* format, double value)
-{
-  char text[64];
-  std::snprintf(text, sizeof(text), format, value);
-  return text;
-}
 
 Colour InkOf(const std::string& stage)
 {

@@ -45,25 +45,13 @@ PlannedSet HoldOut(const std::vector<std::string>& names, const DatasetIndex& da
   return set;
 }
 
-bool HasCalibration(const fs::path& folder)
-{
-  std::error_code failure;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, failure))
-  {
-    if (entry.path().filename().string().ends_with("_par.txt"))
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
 /** The views that come with the data set; without any when it has none. */
 PlannedSet TestViews(const DatasetIndex& dataset, std::vector<std::string>& warnings)
 {
   PlannedSet set;
   const fs::path folder = dataset.Folder / "test";
-  if (!HasCalibration(folder))
+  std::error_code failure;
+  if (!fs::is_directory(folder, failure) || ParFilesIn(folder).empty())
   {
     return set;
   }

@@ -54,6 +54,17 @@ Option StageOption(Stage& upTo)
   return { "stage", "how far the geometry is refined", "", "Method", &upTo };
 }
 
+/** A command's own options, and those of every command that makes novel views of a data set. */
+template <class Options>
+OptionTable WithMethod(OptionTable table, Options& options)
+{
+  table.push_back(StageOption(options.UpTo));
+  Append(table, OptionsOf(options.Synthesis));
+  Append(table, OptionsOf(options.Input));
+  table.push_back(ThreadsOption(options.Threads));
+  return table;
+}
+
 const Option& Find(const OptionTable& table, const std::string& key)
 {
   const auto found = std::find_if(
@@ -184,12 +195,8 @@ OptionTable OptionsOf(Job& job)
       &job.WriteIterations },
     { "screenshots", "write a picture of the scene for every iteration, too", "", run,
       &job.Screenshots },
-    StageOption(job.UpTo),
   };
-  Append(table, OptionsOf(job.Synthesis));
-  Append(table, OptionsOf(job.Input));
-  table.push_back(ThreadsOption(job.Threads));
-  return table;
+  return WithMethod(std::move(table), job);
 }
 
 OptionTable OptionsOf(RenderOptions& options)
@@ -197,12 +204,8 @@ OptionTable OptionsOf(RenderOptions& options)
   OptionTable table = {
     { "cameras", "calibration file of the views to make", "", "Render", &options.Cameras },
     { "out", "folder for the pictures NAME and mask/NAME", "", "Render", &options.Out },
-    StageOption(options.UpTo),
   };
-  Append(table, OptionsOf(options.Synthesis));
-  Append(table, OptionsOf(options.Input));
-  table.push_back(ThreadsOption(options.Threads));
-  return table;
+  return WithMethod(std::move(table), options);
 }
 
 OptionTable OptionsOf(EvaluateOptions& options)
@@ -221,12 +224,8 @@ OptionTable OptionsOf(EvaluateOptions& options)
       evaluate, &options.TrueMesh },
     { "pictures", "write the picture of every view and stage, and an overview", "", evaluate,
       &options.Pictures },
-    StageOption(options.UpTo),
   };
-  Append(table, OptionsOf(options.Synthesis));
-  Append(table, OptionsOf(options.Input));
-  table.push_back(ThreadsOption(options.Threads));
-  return table;
+  return WithMethod(std::move(table), options);
 }
 
 OptionTable OptionsOf(GeneratorOptions& options)

@@ -94,16 +94,7 @@ std::string NumberText(double value)
 
 fs::path FindParFile(const fs::path& folder)
 {
-  std::vector<std::string> found;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-  {
-    const std::string name = entry.path().filename().string();
-    if (name.ends_with("_par.txt") && entry.is_regular_file())
-    {
-      found.push_back(name);
-    }
-  }
-  std::sort(found.begin(), found.end());
+  const std::vector<std::string> found = ParFilesIn(folder);
   if (found.size() != 1)
   {
     std::string names;
@@ -283,6 +274,21 @@ void WriteCameras(const fs::path& parFile, const std::vector<NamedCamera>& camer
     text += "\n";
   }
   WriteTextAtomically(parFile, text);
+}
+
+std::vector<std::string> ParFilesIn(const fs::path& folder)
+{
+  std::vector<std::string> found;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+  {
+    const std::string name = entry.path().filename().string();
+    if (name.ends_with("_par.txt") && entry.is_regular_file())
+    {
+      found.push_back(name);
+    }
+  }
+  std::sort(found.begin(), found.end());
+  return found;
 }
 
 DatasetIndex ReadDatasetIndex(const fs::path& folder, const fs::path& parFile)

@@ -42,6 +42,9 @@ std::vector<NamedCamera> ReadCameras(const std::filesystem::path& parFile);
 /** Writes a calibration file; every number reads back as the same bits. */
 void WriteCameras(const std::filesystem::path& parFile, const std::vector<NamedCamera>& cameras);
 
+/** The names of a folder's calibration files, *_par.txt, sorted. */
+std::vector<std::string> ParFilesIn(const std::filesystem::path& folder);
+
 /** A data set before any picture is decoded. */
 struct DatasetIndex
 {

@@ -21,7 +21,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace novelview
 {
@@ -29,16 +28,6 @@ namespace
 {
 constexpr int DesktopWidth = 1600;
 constexpr int DesktopHeight = 900;
-constexpr int TitleHeight = 44;
-constexpr int HeaderHeight = 32;
-constexpr int Gap = 8;
-
-std::string Formatted(const char* format, double value)
-{
-  char text[64];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
 
 /** From grey (has not moved) over green to blue. */
 vtkSmartPointer<vtkColorTransferFunction> MoveColours(double most)

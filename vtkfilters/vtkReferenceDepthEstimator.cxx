@@ -42,13 +42,7 @@ void AttachComparisons(vtkMultiBlockDataSet* output, const novelview::TriangleMe
   novelview::ViewNeeds needs;
   needs.Color = needs.ContourDistance = true;
   const std::vector<novelview::View> views = novelview::ReadViews(output, needs, 2);
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& point : hull.Points)
-  {
-    box.extend(point);
-  }
-  const double footprint =
-    hull.Points.empty() ? 0 : novelview::MedianFootprint(views, box.center());
+  const double footprint = novelview::MedianFootprint(views, hull.Points);
   if (footprint <= 0)
   {
     return; // no maps, nothing to compare

@@ -10,29 +10,14 @@ using namespace support;
 
 namespace
 {
-/** Photographs of a box, whose upper and lower edges every view sees in its contour. */
-std::vector<Photo> BoxPhotos()
-{
-  return TakeAll(
-    Box(Vector3d(-0.4, -0.3, -0.35), Vector3d(0.4, 0.3, 0.35)), Plain(200, 200, 200), Ring(12, 30));
-}
-
-/** Makes a silhouette reach less far, pixels. */
-void Shrink(Photo& photo, float by)
-{
-  for (std::size_t i = 0; i < photo.ContourDistance.Values.size(); ++i)
-  {
-    photo.ContourDistance.Values[i] -= by;
-    photo.Mask.Values[i] = photo.ContourDistance.Values[i] > 0 ? 255 : 0;
-  }
-}
-
 /** Turns a camera about its own centre so that the picture moves by about so many pixels. */
 void Turn(Photo& photo, double pixelsX, double pixelsY)
 {
   const double focal = photo.Cam.K(0, 0);
+  const Vector3d centre = photo.Cam.Centre();
   photo.Cam.R = Eigen::AngleAxisd(pixelsX / focal, Vector3d::UnitY()).toRotationMatrix() *
     Eigen::AngleAxisd(pixelsY / focal, Vector3d::UnitX()).toRotationMatrix() * photo.Cam.R;
+  photo.Cam.T = -photo.Cam.R * centre;
 }
 }
 
@@ -50,7 +35,7 @@ TEST(SilhouetteConsistency, TheOneThatIsTooSmallIsFoundWithItsOffset)
   for (const float shrunk : { 1.f, 2.f, 3.f })
   {
     std::vector<Photo> photos = BoxPhotos();
-    Shrink(photos[3], shrunk);
+    ShrinkSilhouette(photos[3], shrunk);
     const auto offsets = FindContourOffsets(ViewsOf(photos));
     for (std::size_t i = 0; i < offsets.size(); ++i)
     {
@@ -65,7 +50,7 @@ TEST(SilhouetteConsistency, TheOneThatIsTooSmallIsFoundWithItsOffset)
 TEST(SilhouetteConsistency, TheOneThatIsTooLargeHarmsNobody)
 {
   std::vector<Photo> photos = BoxPhotos();
-  Shrink(photos[3], -2);
+  ShrinkSilhouette(photos[3], -2);
   for (const double offset : FindContourOffsets(ViewsOf(photos)))
   {
     EXPECT_EQ(offset, 0);
@@ -81,9 +66,7 @@ TEST(SilhouetteConsistency, CamerasThatAreOffGiveEveryoneSlack)
   {
     const double x = pixels(random);
     const double y = pixels(random);
-    const Vector3d centre = photo.Cam.Centre();
     Turn(photo, x, y);
-    photo.Cam.T = -photo.Cam.R * centre;
   }
   ConsistencyOptions options;
   options.Outstanding = 1e9; // the common slack alone

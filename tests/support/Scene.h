@@ -283,6 +283,23 @@ inline std::vector<Photo> TakeAll(
   return photos;
 }
 
+/** Makes a silhouette reach less far, pixels; further when negative. */
+inline void ShrinkSilhouette(Photo& photo, float by)
+{
+  for (std::size_t i = 0; i < photo.ContourDistance.Values.size(); ++i)
+  {
+    photo.ContourDistance.Values[i] -= by;
+    photo.Mask.Values[i] = photo.ContourDistance.Values[i] > 0 ? 255 : 0;
+  }
+}
+
+/** Photographs of a box, whose upper and lower edges every one of twelve views has in its contour. */
+inline std::vector<Photo> BoxPhotos()
+{
+  return TakeAll(
+    Box(Vector3d(-0.4, -0.3, -0.35), Vector3d(0.4, 0.3, 0.35)), Plain(200, 200, 200), Ring(12, 30));
+}
+
 /** The photographs as kernels take them; they must outlive the views. */
 inline std::vector<novelview::View> ViewsOf(const std::vector<Photo>& photos)
 {

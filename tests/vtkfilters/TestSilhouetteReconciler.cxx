@@ -13,16 +13,8 @@ namespace
 /** A box; in the photograph `small` the silhouette is two pixels too small. */
 std::vector<Photo> PhotosWithASmallOne(std::size_t small)
 {
-  std::vector<Photo> photos = TakeAll(
-    Box(Vector3d(-0.4, -0.3, -0.35), Vector3d(0.4, 0.3, 0.35)), Plain(200, 200, 200), Ring(12, 30));
-  for (float& distance : photos[small].ContourDistance.Values)
-  {
-    distance -= 2;
-  }
-  for (std::size_t i = 0; i < photos[small].Mask.Values.size(); ++i)
-  {
-    photos[small].Mask.Values[i] = photos[small].ContourDistance.Values[i] > 0 ? 255 : 0;
-  }
+  std::vector<Photo> photos = BoxPhotos();
+  ShrinkSilhouette(photos[small], 2);
   return photos;
 }
 }

@@ -23,12 +23,7 @@ using Eigen::Vector3d;
 
 double FootprintOf(const std::vector<View>& views, const TriangleMesh& mesh)
 {
-  Eigen::AlignedBox3d box;
-  for (const Vector3d& point : mesh.Points)
-  {
-    box.extend(point);
-  }
-  const double footprint = mesh.Points.empty() ? 0 : MedianFootprint(views, box.center());
+  const double footprint = MedianFootprint(views, mesh.Points);
   if (footprint <= 0)
   {
     throw Error("deformer", "the mesh is empty or lies behind every reference camera");

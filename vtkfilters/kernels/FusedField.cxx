@@ -77,38 +77,50 @@ void FusedField::ClipToBounds(
   }
 }
 
+bool FusedField::Voter::See(const Vector3d& x, Sight& sight) const
+{
+  const Vector3d p = this->P.leftCols<3>() * x + this->P.col(3);
+  if (p.z() <= 0)
+  {
+    return false;
+  }
+  sight.X = p.x() / p.z();
+  sight.Y = p.y() / p.z();
+  sight.Depth = p.z();
+  sight.Column = static_cast<int>(std::floor(sight.X + 0.5));
+  sight.Row = static_cast<int>(std::floor(sight.Y + 0.5));
+  return this->From->ContourDistance.Contains(sight.Column, sight.Row);
+}
+
+void FusedField::Voter::AddVote(const Sight& sight, double tau, double& f, double& w) const
+{
+  const double depth = this->From->DepthMap(sight.Column, sight.Row);
+  const double s = depth - sight.Depth;
+  if (depth > 0 && s >= -tau)
+  {
+    const double confidence = this->From->Confidence(sight.Column, sight.Row);
+    f += confidence * std::min(1.0, s / tau);
+    w += confidence;
+  }
+}
+
 bool FusedField::Vote(const Vector3d& x, double& f, double& w) const
 {
   f = 0;
   w = 0;
+  Sight sight;
   for (const Voter& voter : this->Voters)
   {
-    const Vector3d p = voter.P.leftCols<3>() * x + voter.P.col(3);
-    if (p.z() <= 0)
+    if (!voter.See(x, sight))
     {
       continue;
     }
-    const View& view = *voter.From;
-    const int u = static_cast<int>(std::floor(p.x() / p.z() + 0.5));
-    const int v = static_cast<int>(std::floor(p.y() / p.z() + 0.5));
-    if (!view.ContourDistance.Contains(u, v))
-    {
-      continue;
-    }
-    if (view.ContourDistance(u, v) < 0 &&
-      SampleBilinear(view.ContourDistance, p.x() / p.z(), p.y() / p.z()) < 0)
+    const ImageRef<const float>& contour = voter.From->ContourDistance;
+    if (contour(sight.Column, sight.Row) < 0 && SampleBilinear(contour, sight.X, sight.Y) < 0)
     {
       return false;
     }
-    const double depth = view.DepthMap(u, v);
-    const double s = depth - p.z();
-    if (depth <= 0 || s < -this->Tau)
-    {
-      continue;
-    }
-    const double confidence = view.Confidence(u, v);
-    f += confidence * std::min(1.0, s / this->Tau);
-    w += confidence;
+    voter.AddVote(sight, this->Tau, f, w);
   }
   return true;
 }
@@ -173,23 +185,12 @@ void FusedField::VoteOfMaps(const Vector3d& x, double& f, double& w) const
 {
   f = 0;
   w = 0;
+  Sight sight;
   for (const Voter& voter : this->Voters)
   {
-    const Vector3d p = voter.P.leftCols<3>() * x + voter.P.col(3);
-    const View& view = *voter.From;
-    const int u = static_cast<int>(std::floor(p.x() / p.z() + 0.5));
-    const int v = static_cast<int>(std::floor(p.y() / p.z() + 0.5));
-    if (p.z() <= 0 || !view.DepthMap.Contains(u, v))
+    if (voter.See(x, sight))
     {
-      continue;
-    }
-    const double depth = view.DepthMap(u, v);
-    const double s = depth - p.z();
-    if (depth > 0 && s >= -this->Tau)
-    {
-      const double confidence = view.Confidence(u, v);
-      f += confidence * std::min(1.0, s / this->Tau);
-      w += confidence;
+      voter.AddVote(sight, this->Tau, f, w);
     }
   }
 }
@@ -198,18 +199,14 @@ double FusedField::OutsideSilhouettes(const Vector3d& x) const
 {
   const double tau = this->Options.TruncationPx;
   double outside = -tau;
+  Sight sight;
   for (const Voter& voter : this->Voters)
   {
-    const Vector3d p = voter.P.leftCols<3>() * x + voter.P.col(3);
-    const double u = p.x() / p.z();
-    const double v = p.y() / p.z();
     const ImageRef<const float>& contour = voter.From->ContourDistance;
-    const int i = static_cast<int>(std::floor(u + 0.5));
-    const int j = static_cast<int>(std::floor(v + 0.5));
     // Interpolated only where the nearest pixel says that it can matter.
-    if (p.z() > 0 && contour.Contains(i, j) && -contour(i, j) > outside - 2)
+    if (voter.See(x, sight) && -contour(sight.Column, sight.Row) > outside - 2)
     {
-      outside = std::max(outside, -SampleBilinear(contour, u, v));
+      outside = std::max(outside, -SampleBilinear(contour, sight.X, sight.Y));
       if (outside >= tau)
       {
         return tau;

@@ -82,10 +82,22 @@ public:
 private:
   /** How much more the prior weighs after this length of ray inside every silhouette. */
   double ChordFactor(double inside) const;
+  /** Where a view sees a point. */
+  struct Sight
+  {
+    double X, Y;     ///< pixels
+    double Depth;    ///< of the point
+    int Column, Row; ///< the nearest pixel
+  };
   struct Voter
   {
     Eigen::Matrix<double, 3, 4> P;
     const View* From;
+
+    /** False when the point is behind the camera or outside the frame. */
+    bool See(const Eigen::Vector3d& x, Sight& sight) const;
+    /** Adds what the view's map says about the point. */
+    void AddVote(const Sight& sight, double tau, double& f, double& w) const;
   };
   double Value(const Eigen::Vector3d& x) const;
   /** The votes at a point without regard to silhouettes. */

@@ -21,6 +21,20 @@ constexpr int Band = 3;        ///< pixels either side of the first contour that
 constexpr double Margin = 1.5; ///< rays begin so many footprints before the mesh
 constexpr double NearPx = 1.6; ///< the prediction matters so near the contour
 
+/** Calls body(x, y) for every pixel, rows in parallel. */
+template <class Body>
+void ForEachPixel(const Image<float>& image, const Execution& execution, const Body& body)
+{
+  execution.ForEach(image.Height,
+    [&](std::int64_t y)
+    {
+      for (int x = 0; x < image.Width; ++x)
+      {
+        body(x, static_cast<int>(y));
+      }
+    });
+}
+
 /** Finds the signed distance of every pixel's ray from the object, in novel pixels, above 0 = it
  * misses. Far from the contour only the sign counts. */
 class DistanceTracer
@@ -44,38 +58,29 @@ public:
 
   void TraceCentres()
   {
-    this->Run.ForEach(this->Novel.Height,
-      [&](std::int64_t row)
+    ForEachPixel(this->Distance, this->Run,
+      [&](int x, int y)
       {
-        const int y = static_cast<int>(row);
-        for (int x = 0; x < this->Novel.Width; ++x)
-        {
-          const double front = this->Front(x, y);
-          this->Inside(x, y) = std::isfinite(front) &&
-            this->Walker.Walk(Vector2d(x, y), front - Margin * this->Footprint).Least < 0;
-          this->Distance(x, y) = static_cast<float>(this->Inside(x, y) ? -Band : Band);
-        }
+        const double front = this->Front(x, y);
+        this->Inside(x, y) = std::isfinite(front) &&
+          this->Walker.Walk(Vector2d(x, y), front - Margin * this->Footprint).Least < 0;
+        this->Distance(x, y) = static_cast<float>(this->Inside(x, y) ? -Band : Band);
       });
   }
 
   void TraceBand()
   {
-    this->Run.ForEach(this->Novel.Height,
-      [&](std::int64_t row)
+    ForEachPixel(this->Distance, this->Run,
+      [&](int x, int y)
       {
-        const int y = static_cast<int>(row);
-        for (int x = 0; x < this->Novel.Width; ++x)
+        // The mesh's front near the pixel: just outside the mesh's rim the centre misses it.
+        const double front = this->NearestFront(x, y);
+        if (std::isfinite(front) && this->NearContour(x, y))
         {
-          // The mesh's front near the pixel: just outside the mesh's rim the centre misses it.
-          const double front = this->NearestFront(x, y);
-          if (std::isfinite(front) && this->NearContour(x, y))
-          {
-            const auto passage =
-              this->Walker.Pass(Vector2d(x, y), front - Margin * this->Footprint);
-            this->Distance(x, y) = static_cast<float>(
-              passage.Clearance * this->Footprint / this->Novel.PixelFootprint(passage.At));
-            this->Depth(x, y) = static_cast<float>(passage.At);
-          }
+          const auto passage = this->Walker.Pass(Vector2d(x, y), front - Margin * this->Footprint);
+          this->Distance(x, y) = static_cast<float>(
+            passage.Clearance * this->Footprint / this->Novel.PixelFootprint(passage.At));
+          this->Depth(x, y) = static_cast<float>(passage.At);
         }
       });
   }
@@ -83,16 +88,14 @@ public:
   void DrawToPrediction()
   {
     const Image<float> traced = this->Distance;
-    this->Run.ForEach(this->Novel.Height,
-      [&](std::int64_t row)
+    ForEachPixel(traced, this->Run,
+      [&](int x, int y)
       {
-        const int y = static_cast<int>(row);
-        for (int x = 2; x < this->Novel.Width - 2 && y >= 2 && y < this->Novel.Height - 2; ++x)
+        const bool framed =
+          x >= 2 && y >= 2 && x < this->Novel.Width - 2 && y < this->Novel.Height - 2;
+        if (framed && this->Depth(x, y) > 0 && std::abs(traced(x, y)) < NearPx)
         {
-          if (this->Depth(x, y) > 0 && std::abs(traced(x, y)) < NearPx)
-          {
-            this->Distance(x, y) = static_cast<float>(this->Drawn(traced, x, y));
-          }
+          this->Distance(x, y) = static_cast<float>(this->Drawn(traced, x, y));
         }
       });
   }
@@ -182,21 +185,17 @@ Image<float> Convolved(const Image<float>& image, const std::vector<float>& kern
 {
   Image<float> result(image.Width, image.Height);
   const int radius = static_cast<int>(kernel.size() / 2);
-  execution.ForEach(image.Height,
-    [&](std::int64_t row)
+  ForEachPixel(image, execution,
+    [&](int x, int y)
     {
-      const int y = static_cast<int>(row);
-      for (int x = 0; x < image.Width; ++x)
+      float sum = 0;
+      for (int k = -radius; k <= radius; ++k)
       {
-        float sum = 0;
-        for (int k = -radius; k <= radius; ++k)
-        {
-          sum += kernel[k + radius] *
-            (rows ? image(std::clamp(x + k, 0, image.Width - 1), y)
-                  : image(x, std::clamp(y + k, 0, image.Height - 1)));
-        }
-        result(x, y) = sum;
+        sum += kernel[k + radius] *
+          (rows ? image(std::clamp(x + k, 0, image.Width - 1), y)
+                : image(x, std::clamp(y + k, 0, image.Height - 1)));
       }
+      result(x, y) = sum;
     });
   return result;
 }

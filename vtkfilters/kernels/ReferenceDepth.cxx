@@ -174,12 +174,7 @@ public:
     , Scores(views.size())
     , Confidences(views.size())
   {
-    Eigen::AlignedBox3d box;
-    for (const Vector3d& point : hull.Points)
-    {
-      box.extend(point);
-    }
-    this->Footprint = hull.Points.empty() ? 0 : MedianFootprint(views, box.center());
+    this->Footprint = MedianFootprint(views, hull.Points);
     const double leastCosine = std::cos(options.MaxAngleDeg * EIGEN_PI / 180);
     for (std::size_t i = 0; i < views.size(); ++i)
     {

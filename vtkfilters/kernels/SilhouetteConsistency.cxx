@@ -2,6 +2,7 @@
 #include "SilhouetteConsistency.h"
 
 #include "Error.h"
+#include "Quantile.h"
 #include "SearchBox.h"
 #include "ViewSelection.h"
 
@@ -145,17 +146,6 @@ std::vector<Survey> SurveyAll(const std::vector<View>& views, const std::vector<
       }
     });
   return surveys;
-}
-
-double Quantile(std::vector<double> values, double share)
-{
-  if (values.empty())
-  {
-    return 0;
-  }
-  const auto rank = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + rank, values.end());
-  return values[rank];
 }
 
 /** By how much each silhouette that stands out is too small. */

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SilhouettePrior.h"
 
+#include "Quantile.h"
 #include "Rasteriser.h"
 #include "ViewSelection.h"
 #include "Visibility.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace novelview
 {
@@ -50,12 +52,7 @@ std::vector<double> PriorsOf(const View& key, const FusedField& field, const Tri
 double FindSilhouettePrior(const std::vector<View>& views, const TriangleMesh& hull,
   const SilhouettePriorOptions& options, const Execution& execution)
 {
-  Eigen::AlignedBox3d box;
-  for (const Vector3d& point : hull.Points)
-  {
-    box.extend(point);
-  }
-  const double footprint = hull.Points.empty() ? 0 : MedianFootprint(views, box.center());
+  const double footprint = MedianFootprint(views, hull.Points);
   if (footprint <= 0)
   {
     return options.Least;
@@ -80,8 +77,7 @@ double FindSilhouettePrior(const std::vector<View>& views, const TriangleMesh& h
   {
     return options.Least;
   }
-  const auto rank = static_cast<std::size_t>((1 - options.AcceptedLoss) * (all.size() - 1));
-  std::nth_element(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(rank), all.end());
-  return std::clamp(all[rank], options.Least, options.Most);
+  return std::clamp(
+    Quantile(std::move(all), 1 - options.AcceptedLoss), options.Least, options.Most);
 }
 }

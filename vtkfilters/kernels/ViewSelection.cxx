@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ViewSelection.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <numeric>
 
@@ -54,5 +56,15 @@ double MedianFootprint(const std::vector<View>& views, const Vector3d& at)
   }
   std::nth_element(sizes.begin(), sizes.begin() + sizes.size() / 2, sizes.end());
   return sizes[sizes.size() / 2];
+}
+
+double MedianFootprint(const std::vector<View>& views, const std::vector<Vector3d>& points)
+{
+  Eigen::AlignedBox3d box;
+  for (const Vector3d& point : points)
+  {
+    box.extend(point);
+  }
+  return points.empty() ? 0 : MedianFootprint(views, box.center());
 }
 }

@@ -16,6 +16,9 @@ std::vector<std::vector<int>> NearestNeighbours(const std::vector<View>& views, 
 
 /** Median over the views of one pixel's world size at a point; 0 when it is behind all. */
 double MedianFootprint(const std::vector<View>& views, const Eigen::Vector3d& at);
+
+/** The same at the centre of the box around points; 0 when there are none. */
+double MedianFootprint(const std::vector<View>& views, const std::vector<Eigen::Vector3d>& points);
 }
 
 #endif
