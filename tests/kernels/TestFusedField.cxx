@@ -75,6 +75,37 @@ TEST(FusedField, ConfidencesAddUpOverTheViews)
   EXPECT_NEAR(w, 0.75, 1e-6);
 }
 
+TEST(FusedField, WithoutTextureDepthsCountLessAtGrazingIncidence)
+{
+  // Three footprints deeper per pixel to the right: cos = 1 / sqrt(1 + 3^2).
+  const auto weight = [](float confidence, double slope, double discount)
+  {
+    FlatMap map(2.f, confidence);
+    for (int y = 0; y < 120; ++y)
+    {
+      for (int x = 0; x < 160; ++x)
+      {
+        map.Depth(x, y) =
+          static_cast<float>(2 + slope * (x - map.Cam.K(0, 2)) * map.Cam.PixelFootprint(2));
+      }
+    }
+    const std::vector<View> views{ map.AsView() };
+    FusionOptions options;
+    options.GrazingDiscount = discount;
+    double f = 0;
+    double w = 0;
+    EXPECT_TRUE(FusedField(views, options, Footprint).Vote(Vector3d(0, 0, 1.9), f, w));
+    EXPECT_NEAR(f, w, 1e-6) << "the sign of the vote stays";
+    return w;
+  };
+  const double grazing = 1 - 1 / std::sqrt(10.0);
+  EXPECT_NEAR(weight(0.5f, 3, 1), 0.5 * (1 - 0.125 * grazing), 1e-4);
+  EXPECT_NEAR(weight(0.1f, 3, 1), 0.1 * (1 - 0.729 * grazing), 1e-4);
+  EXPECT_NEAR(weight(0.1f, 3, 0), 0.1, 1e-6) << "switched off";
+  EXPECT_NEAR(weight(0.1f, 0, 1), 0.1, 1e-6) << "seen face on";
+  EXPECT_NEAR(weight(1.0f, 3, 1), 1, 1e-6) << "texture holds it";
+}
+
 TEST(FusedField, OutsideASilhouetteIsFree)
 {
   FlatMap map(2.f, 1.f);

@@ -26,7 +26,7 @@ struct FieldDeformationOptions
    * one, and more of a prior, finds them more steadily.
    */
   FusionOptions Surface{ 3, 0.05, 0.12 };
-  FusionOptions Outline{ 2, 0.05, 0.12 };
+  FusionOptions Outline{ 2, 0.05, 0.12, 1 };
 };
 
 /**

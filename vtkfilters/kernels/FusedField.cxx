@@ -92,13 +92,45 @@ bool FusedField::Voter::See(const Vector3d& x, Sight& sight) const
   return this->From->ContourDistance.Contains(sight.Column, sight.Row);
 }
 
-void FusedField::Voter::AddVote(const Sight& sight, double tau, double& f, double& w) const
+double FusedField::Voter::Incidence(int x, int y) const
+{
+  constexpr int reach = 3;
+  const ImageRef<const float>& map = this->From->DepthMap;
+  const double depth = map(x, y);
+  // The less steep side: the other may lie across an edge.
+  const auto slope = [&](int dx, int dy)
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for (const int side : { -reach, reach })
+    {
+      const int i = x + side * dx;
+      const int j = y + side * dy;
+      if (map.Contains(i, j) && map(i, j) > 0)
+      {
+        least = std::min(least, std::abs(map(i, j) - depth) / reach);
+      }
+    }
+    return std::isfinite(least) ? least / this->From->Cam.PixelFootprint(depth) : 0.0;
+  };
+  const double across = slope(1, 0);
+  const double down = slope(0, 1);
+  return 1 / std::sqrt(1 + across * across + down * down);
+}
+
+void FusedField::Voter::AddVote(
+  const Sight& sight, double tau, double grazing, double& f, double& w) const
 {
   const double depth = this->From->DepthMap(sight.Column, sight.Row);
   const double s = depth - sight.Depth;
   if (depth > 0 && s >= -tau)
   {
-    const double confidence = this->From->Confidence(sight.Column, sight.Row);
+    double confidence = this->From->Confidence(sight.Column, sight.Row);
+    if (grazing > 0)
+    {
+      const double unsure = 1 - confidence;
+      confidence *=
+        1 - grazing * unsure * unsure * unsure * (1 - this->Incidence(sight.Column, sight.Row));
+    }
     f += confidence * std::min(1.0, s / tau);
     w += confidence;
   }
@@ -120,7 +152,7 @@ bool FusedField::Vote(const Vector3d& x, double& f, double& w) const
     {
       return false;
     }
-    voter.AddVote(sight, this->Tau, f, w);
+    voter.AddVote(sight, this->Tau, this->Options.GrazingDiscount, f, w);
   }
   return true;
 }
@@ -190,7 +222,7 @@ void FusedField::VoteOfMaps(const Vector3d& x, double& f, double& w) const
   {
     if (voter.See(x, sight))
     {
-      voter.AddVote(sight, this->Tau, f, w);
+      voter.AddVote(sight, this->Tau, this->Options.GrazingDiscount, f, w);
     }
   }
 }

@@ -16,6 +16,11 @@ struct FusionOptions
   double TruncationPx = 5;      ///< tau, input pixel footprints
   double SurfacePrior = 0.15;   ///< w0: weight of "solid" when the surface is located
   double SilhouettePrior = 0.2; ///< w0m: the same when it is decided whether there is any
+  /**
+   * How far a depth without texture loses its confidence G at grazing incidence, [0, 1]: there the
+   * smoothness of the map has placed it. Factor 1 - GrazingDiscount (1 - G)^3 (1 - cos incidence).
+   */
+  double GrazingDiscount = 0;
 };
 
 /**
@@ -97,7 +102,9 @@ private:
     /** False when the point is behind the camera or outside the frame. */
     bool See(const Eigen::Vector3d& x, Sight& sight) const;
     /** Adds what the view's map says about the point. */
-    void AddVote(const Sight& sight, double tau, double& f, double& w) const;
+    void AddVote(const Sight& sight, double tau, double grazing, double& f, double& w) const;
+    /** Cosine of the angle at which the view sees the surface of its map at a pixel. */
+    double Incidence(int x, int y) const;
   };
   double Value(const Eigen::Vector3d& x) const;
   /** The votes at a point without regard to silhouettes. */
