@@ -139,6 +139,9 @@ OptionTable OptionsOf(SynthesisOptions& options)
   return {
     { "preset", "defaults of all stage options: the paper's, or what gives the best pictures", "",
       "Method", &options.Preset, -NoLimit, NoLimit, { "best", "paper" } },
+    { "cache",
+      "folder that keeps hull, crust and depth maps for further runs on the same photographs", "",
+      "Method", &options.Cache },
     { "reconcileSilhouettes", "enlarge silhouettes that are too small for all the others", "", hull,
       &options.ReconcileSilhouettes },
     { "hullSpacing", "distance between surface samples, in the photographs", "px", hull,

@@ -2,6 +2,7 @@
 #include "Synthesis.h"
 
 #include "Error.h"
+#include "StageCache.h"
 #include "StageRunner.h"
 #include "ViewAccess.h"
 #include "vtkNonOutlineDeformer.h"
@@ -79,6 +80,10 @@ public:
     : Options(options)
     , Listener(std::move(listener))
   {
+    if (!options.Cache.empty())
+    {
+      this->Cache.emplace(options.Cache, views, options);
+    }
     vtkAlgorithmOutput* silhouettes = this->Silhouettes(views);
     this->HullSource->SetInputConnection(silhouettes);
     this->HullSource->SetSampleSpacing(options.HullSpacingPx);
@@ -103,8 +108,7 @@ public:
 
     this->DepthEstimator->SetInputConnection(0, silhouettes);
     this->DepthEstimator->SetInputConnection(1, this->Mesher->GetOutputPort());
-    for (vtkAlgorithm* filter : { static_cast<vtkAlgorithm*>(this->Outline),
-           static_cast<vtkAlgorithm*>(this->NonOutline), static_cast<vtkAlgorithm*>(this->Mapper) })
+    for (vtkAlgorithm* filter : this->ViewUsers())
     {
       filter->SetInputConnection(
         1, options.UseDepthMaps ? this->DepthEstimator->GetOutputPort() : silhouettes);
@@ -124,29 +128,30 @@ public:
     this->Mapper->SetPower(options.Power);
   }
 
-  void RunHull()
+  /** The hull at least; with a cache, all that does not depend on the novel camera. */
+  vtkPolyData* Hull()
   {
-    if (this->Options.ReconcileSilhouettes)
+    if (!this->Load())
     {
-      this->Run("silhouettes", this->Reconciler);
-      this->WarnOfOffsets();
+      this->RunHull();
     }
-    this->Run("visual hull", this->HullSource);
-    if (const int dropped = this->HullSource->GetNumberOfDroppedComponents();
-        dropped > 0 && !this->ToldOfDropped && this->Listener.Warn)
-    {
-      this->ToldOfDropped = true;
-      this->Listener.Warn("visual hull: " + std::to_string(dropped) +
-        " smaller component(s) with " +
-        std::to_string(this->HullSource->GetNumberOfDroppedSamples()) +
-        " samples left out; all are kept with the option for it");
-    }
+    return this->Kept ? this->Kept->Hull.Get() : this->HullSource->GetOutput();
   }
 
-  void RunCrust()
+  vtkPolyData* Crust()
   {
-    this->RunHull();
-    this->Run("power crust", this->Mesher);
+    if (!this->Load())
+    {
+      this->RunCrust();
+    }
+    return this->Kept ? this->Kept->Crust.Get() : this->Mesher->GetOutput();
+  }
+
+  vtkPolyData* MedialBalls()
+  {
+    this->Crust();
+    return this->Kept ? this->Kept->MedialBalls.Get()
+                      : vtkPolyData::SafeDownCast(this->Mesher->GetOutputDataObject(1));
   }
 
   /** With `all`, every stage is textured; otherwise only the last. */
@@ -157,11 +162,7 @@ public:
     this->Outline->SetCamera(pinhole);
     this->NonOutline->SetCamera(pinhole);
     this->Mapper->SetCamera(pinhole);
-    this->RunCrust();
-    if (this->Options.UseDepthMaps)
-    {
-      this->Run("depth maps", this->DepthEstimator);
-    }
+    this->Prepare();
     this->Run("culling", this->Culler);
     this->Mapper->SetInputConnection(2, this->Culler->GetOutputPort(1));
     std::vector<NovelView> views;
@@ -197,12 +198,117 @@ public:
     return this->Textured(mesh, "texture");
   }
 
-  const SynthesisOptions Options;
-  const SynthesisListener Listener;
-  vtkNew<vtkVisualHullSource> HullSource;
-  vtkNew<vtkPowerCrustMesher> Mesher;
-
 private:
+  /** Runs every stage before the novel camera, or takes what they made from the cache. */
+  void Prepare()
+  {
+    if (this->Load())
+    {
+      return;
+    }
+    this->RunCrust();
+    if (this->Options.UseDepthMaps)
+    {
+      this->Run("depth maps", this->DepthEstimator);
+    }
+    if (!this->Cache || this->Stored)
+    {
+      return;
+    }
+    this->Stored = true;
+    try
+    {
+      this->Cache->Store(this->Results());
+    }
+    catch (const Error& error)
+    {
+      this->Warn(error.what()); // the run needs no cache
+    }
+  }
+
+  /** Whether the cache has it all; looks there once. */
+  bool Load()
+  {
+    if (!this->Kept && this->Cache && !this->Looked)
+    {
+      this->Looked = true;
+      this->Kept = this->Cache->Load();
+      if (!this->Cache->Damage().empty())
+      {
+        this->Warn("cache: " + this->Cache->Damage() + "; made anew");
+      }
+      if (this->Kept)
+      {
+        this->UseKept();
+      }
+    }
+    return this->Kept.has_value();
+  }
+
+  void UseKept()
+  {
+    this->Culler->SetInputData(this->Kept->Crust);
+    for (vtkAlgorithm* filter : this->ViewUsers())
+    {
+      filter->SetInputDataObject(1, this->Kept->Views);
+    }
+    for (const std::string& warning : std::vector<std::string>(this->Kept->Warnings))
+    {
+      this->Warn(warning);
+    }
+  }
+
+  ViewIndependent Results()
+  {
+    ViewIndependent results;
+    results.Hull = this->HullSource->GetOutput();
+    results.Crust = this->Mesher->GetOutput();
+    results.MedialBalls = vtkPolyData::SafeDownCast(this->Mesher->GetOutputDataObject(1));
+    results.Views = vtkMultiBlockDataSet::SafeDownCast(
+      this->Mapper->GetInputAlgorithm(1, 0)->GetOutputDataObject(0));
+    results.Warnings = this->Warnings;
+    return results;
+  }
+
+  /** The filters whose second input is the photographs. */
+  std::array<vtkAlgorithm*, 3> ViewUsers()
+  {
+    return { this->Outline, this->NonOutline, this->Mapper };
+  }
+
+  void Warn(const std::string& text)
+  {
+    this->Warnings.push_back(text);
+    if (this->Listener.Warn)
+    {
+      this->Listener.Warn(text);
+    }
+  }
+
+  void RunHull()
+  {
+    if (this->Options.ReconcileSilhouettes)
+    {
+      this->Run("silhouettes", this->Reconciler);
+      this->WarnOfOffsets();
+    }
+    this->Run("visual hull", this->HullSource);
+    if (const int dropped = this->HullSource->GetNumberOfDroppedComponents();
+        dropped > 0 && !this->ToldOfDropped)
+    {
+      this->ToldOfDropped = true;
+      this->Warn("visual hull: " + std::to_string(dropped) + " smaller component(s) with " +
+        std::to_string(this->HullSource->GetNumberOfDroppedSamples()) +
+        " samples left out; all are kept with the option for it");
+    }
+  }
+
+  void RunCrust()
+  {
+    this->RunHull();
+    this->Run("power crust", this->Mesher);
+  }
+
   /** Where the stages take the photographs with their silhouettes from. */
   vtkAlgorithmOutput* Silhouettes(vtkMultiBlockDataSet* views)
   {
@@ -215,7 +321,7 @@ private:
   /** Tells once of every silhouette that was enlarged. */
   void WarnOfOffsets()
   {
-    if (this->ToldOfOffsets || !this->Listener.Warn)
+    if (this->ToldOfOffsets)
     {
       return;
     }
@@ -229,14 +335,14 @@ private:
     const double common = *std::min_element(offsets.begin(), offsets.end());
     if (common > 0)
     {
-      this->Listener.Warn(
+      this->Warn(
         "silhouettes and cameras disagree; every silhouette is enlarged by " + Pixels(common));
     }
     for (unsigned int viewId = 0; viewId < offsets.size(); ++viewId)
     {
       if (offsets[viewId] > common)
       {
-        this->Listener.Warn("silhouette of " + ViewName(views, viewId) + ": " +
+        this->Warn("silhouette of " + ViewName(views, viewId) + ": " +
           Pixels(offsets[viewId] - common) + " smaller than the others allow; enlarged by that");
       }
     }
@@ -305,6 +411,15 @@ private:
     this->Listener.Iteration(state);
   }
 
+  const SynthesisOptions Options;
+  const SynthesisListener Listener;
+  std::optional<StageCache> Cache;
+  std::optional<ViewIndependent> Kept; ///< what the cache had
+  bool Looked = false;
+  bool Stored = false;
+  std::vector<std::string> Warnings;
+  vtkNew<vtkVisualHullSource> HullSource;
+  vtkNew<vtkPowerCrustMesher> Mesher;
   vtkNew<vtkTrivialProducer> Views;
   vtkNew<vtkSilhouetteReconciler> Reconciler;
   vtkNew<vtkReferenceDepthEstimator> DepthEstimator;
@@ -326,20 +441,17 @@ Synthesis::~Synthesis() = default;
 
 vtkPolyData* Synthesis::Hull()
 {
-  this->Own->RunHull();
-  return this->Own->HullSource->GetOutput();
+  return this->Own->Hull();
 }
 
 vtkPolyData* Synthesis::Crust()
 {
-  this->Own->RunCrust();
-  return this->Own->Mesher->GetOutput();
+  return this->Own->Crust();
 }
 
 vtkPolyData* Synthesis::MedialBalls()
 {
-  this->Own->RunCrust();
-  return vtkPolyData::SafeDownCast(this->Own->Mesher->GetOutputDataObject(1));
+  return this->Own->MedialBalls();
 }
 
 NovelView Synthesis::Render(const Camera& camera, Stage upTo)

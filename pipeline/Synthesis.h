@@ -10,6 +10,7 @@
 #include <vtkSmartPointer.h>
 
 #include <array>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -31,6 +32,9 @@ struct SynthesisOptions
 {
   /** "best" or "paper": which defaults the other members start from, see PresetOptions(). */
   std::string Preset = "best";
+
+  /** Folder that keeps what does not depend on the novel camera (StageCache); empty = none. */
+  std::filesystem::path Cache;
 
   // ---- silhouettes
   bool ReconcileSilhouettes = false; ///< enlarge those that are too small for all the others

@@ -128,6 +128,7 @@ novelview::FieldDeformationOptions vtkViewDeformer::FieldOptions(vtkDataObject* 
       ? this->DepthNoise
       : novelview::AttachedNumber(views, novelview::arrays::DepthNoise, 0));
   options.Iterations = this->NumberOfIterations;
+  options.LastOnly = !this->HasObserver(IterationEvent);
   return options;
 }
 

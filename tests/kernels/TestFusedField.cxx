@@ -89,14 +89,15 @@ TEST(FusedField, WithoutTextureDepthsCountLessAtGrazingIncidence)
           static_cast<float>(2 + slope * (x - map.Cam.K(0, 2)) * map.Cam.PixelFootprint(2));
       }
     }
+    map.Depth(0, 0) = 1.5f; // so that the ray's sample lies in the box around the surfaces
     const std::vector<View> views{ map.AsView() };
     FusionOptions options;
     options.GrazingDiscount = discount;
-    double f = 0;
-    double w = 0;
-    EXPECT_TRUE(FusedField(views, options, Footprint).Vote(Vector3d(0, 0, 1.9), f, w));
-    EXPECT_NEAR(f, w, 1e-6) << "the sign of the vote stays";
-    return w;
+    // A ray of one sample, far in front of the surface: clearance tau (w - wm) / (w + wm).
+    const auto passage = FusedField(views, options, Footprint)
+                           .Pass(Vector3d::Zero(), Vector3d::UnitZ(), 1.9, 1.9, 1e-9);
+    const double share = passage.Clearance / options.TruncationPx;
+    return options.SilhouettePrior * (1 + share) / (1 - share);
   };
   const double grazing = 1 - 1 / std::sqrt(10.0);
   EXPECT_NEAR(weight(0.5f, 3, 1), 0.5 * (1 - 0.125 * grazing), 1e-4);

@@ -145,27 +145,51 @@ TEST(Rasteriser, SameBitsWithOneAndMoreThreads)
   EXPECT_EQ(one.Depth.Values, three.Depth.Values);
 }
 
-TEST(Rasteriser, TheMiddleSubRayOfASupersampledPixelIsItsCentre)
+TEST(Rasteriser, SubRaysSeeWhatAPictureThreeTimesAsLargeSees)
 {
   const Camera camera = SkewedCamera();
-  const Camera fine = Supersampled(camera, 3);
-  const Vector3d point(0.1, -0.3, 0.2);
-  EXPECT_LT((fine.Project(point) - (3 * camera.Project(point) + Vector2d(1, 1))).norm(), 1e-9);
-  EXPECT_EQ(fine.Width, 192);
-  EXPECT_EQ(fine.Height, 144);
+  Camera fine = camera;
+  fine.K.topRows<2>() *= 3;
+  // Pixel x covers three pixels whose middle is 3 x + 1.
+  fine.K(0, 2) += 1;
+  fine.K(1, 2) += 1;
+  fine.Width *= 3;
+  fine.Height *= 3;
   const TriangleMesh mesh = TriangleSoup(60, 0.6, 2);
-  const ItemBuffer coarse = Rasterise(mesh, camera);
   const ItemBuffer detailed = Rasterise(mesh, fine);
-  int different = 0;
-  for (int y = 0; y < camera.Height; ++y)
+  Image<std::uint8_t> chosen(camera.Width, camera.Height);
+  for (std::size_t i = 0; i < chosen.Values.size(); i += 2)
   {
-    for (int x = 0; x < camera.Width; ++x)
+    chosen.Values[i] = 1;
+  }
+  const SubRays rays = RasteriseSubRays(mesh, camera, chosen, 3);
+  int different = 0;
+  int hits = 0;
+  for (int y = 0; y < fine.Height; ++y)
+  {
+    for (int x = 0; x < fine.Width; ++x)
     {
-      different += coarse.CellId(x, y) != detailed.CellId(3 * x + 1, 3 * y + 1);
+      const int pixel = rays.Index(x / 3, y / 3);
+      ASSERT_EQ(pixel >= 0, chosen(x / 3, y / 3) == 1);
+      if (pixel >= 0)
+      {
+        const int ray = 9 * pixel + 3 * (y % 3) + x % 3;
+        const bool same = rays.CellId[ray] == detailed.CellId(x, y);
+        different += !same;
+        hits += detailed.Hit(x, y);
+        if (same && detailed.Hit(x, y))
+        {
+          EXPECT_NEAR(rays.Depth[ray], detailed.Depth(x, y), 1e-5);
+        }
+      }
     }
   }
+  EXPECT_GT(hits, 1000);
   // The same rays; rounding may decide otherwise only where one runs exactly through an edge.
   EXPECT_LE(different, 1);
+  const SubRays threads = RasteriseSubRays(mesh, camera, chosen, 3, InThreads(3));
+  EXPECT_EQ(threads.CellId, rays.CellId);
+  EXPECT_EQ(threads.Depth, rays.Depth);
 }
 
 TEST(Rasteriser, DepthBehindComparesWithTheDeepestOfNineNeighbours)

@@ -360,11 +360,13 @@ private:
 
 /** Calls move(fraction) for every iteration, the first with 0, and tells the listener. */
 template <class Move>
-int Iterate(int iterations, DeformationResult& result, const DeformationListener& listener,
-  const Execution& execution, const Move& move)
+int Iterate(const FieldDeformationOptions& options, DeformationResult& result,
+  const DeformationListener& listener, const Execution& execution, const Move& move)
 {
+  const int iterations = options.Iterations;
   DeformationState state;
-  for (; state.Iteration <= iterations; ++state.Iteration)
+  for (state.Iteration = options.LastOnly ? iterations : 0; state.Iteration <= iterations;
+       ++state.Iteration)
   {
     const bool last = state.Iteration == iterations;
     if (listener || last)
@@ -408,7 +410,7 @@ DeformationResult DeformOutlineByField(const TriangleMesh& mesh,
   FieldOutlineDeformer deformer(mesh, visible, novel, silhouette);
   DeformationResult result;
   result.Converged = true;
-  result.Iterations = Iterate(options.Iterations, result, listener, execution,
+  result.Iterations = Iterate(options, result, listener, execution,
     [&](double fraction, DeformationState& state)
     { deformer.MoveTo((fraction - 1) * deformer.Reach(), result, state); });
   return result;
@@ -427,7 +429,7 @@ DeformationResult DeformNonOutlineByField(const TriangleMesh& mesh,
   deformer.Balance(execution);
   DeformationResult result;
   result.Converged = true;
-  result.Iterations = Iterate(options.Iterations, result, listener, execution,
+  result.Iterations = Iterate(options, result, listener, execution,
     [&](double fraction, DeformationState& state)
     { deformer.MoveTo(fraction, footprint, result, state); });
   return result;

@@ -17,6 +17,7 @@ struct FieldDeformationOptions
 {
   /** In how many steps the mesh goes there; the last one does not depend on it. */
   int Iterations = 10;
+  bool LastOnly = false; ///< tell the listener of the last iteration only
   FusedSilhouetteOptions Silhouette;
   double Smoothing = 0.15; ///< weight of a point's neighbours against its own surface
   int SmoothingSteps = 3;

@@ -152,7 +152,7 @@ bool FusedField::Vote(const Vector3d& x, double& f, double& w) const
     {
       return false;
     }
-    voter.AddVote(sight, this->Tau, this->Options.GrazingDiscount, f, w);
+    voter.AddVote(sight, this->Tau, 0, f, w);
   }
   return true;
 }
@@ -213,39 +213,51 @@ FusedField::RayResult FusedField::Walk(
   return result;
 }
 
-void FusedField::VoteOfMaps(const Vector3d& x, double& f, double& w) const
+int FusedField::Voter::StepsWithin(double pixels, const Sight& sight, const Vector3d& step) const
 {
-  f = 0;
-  w = 0;
-  Sight sight;
-  for (const Voter& voter : this->Voters)
+  const ImageRef<const float>& contour = this->From->ContourDistance;
+  const double reach = std::min(
+    { pixels, sight.X, sight.Y, contour.Width - 1 - sight.X, contour.Height - 1 - sight.Y });
+  if (reach <= 0)
   {
-    if (voter.See(x, sight))
-    {
-      voter.AddVote(sight, this->Tau, this->Options.GrazingDiscount, f, w);
-    }
+    return 0;
   }
+  // After n steps q of homogeneous coordinates the picture has moved by n m / (z + n q.z).
+  const Vector3d q = this->P.leftCols<3>() * step;
+  const double m = std::hypot(q.x() - sight.X * q.z(), q.y() - sight.Y * q.z());
+  const double growth = m - reach * q.z();
+  constexpr double most = 1e6;
+  return static_cast<int>(
+    growth * most > reach * sight.Depth ? reach * sight.Depth / growth : most);
 }
 
-double FusedField::OutsideSilhouettes(const Vector3d& x) const
+FusedField::Sample FusedField::Look(const Vector3d& x, const Vector3d& step) const
 {
   const double tau = this->Options.TruncationPx;
-  double outside = -tau;
+  constexpr double nearest = 0.75; // pixels from a point to the nearest pixel's centre, at most
+  Sample sample{ -tau, 0, 0, 0 };
   Sight sight;
   for (const Voter& voter : this->Voters)
   {
-    const ImageRef<const float>& contour = voter.From->ContourDistance;
-    // Interpolated only where the nearest pixel says that it can matter.
-    if (voter.See(x, sight) && -contour(sight.Column, sight.Row) > outside - 2)
+    if (!voter.See(x, sight))
     {
-      outside = std::max(outside, -SampleBilinear(contour, sight.X, sight.Y));
-      if (outside >= tau)
-      {
-        return tau;
-      }
+      continue;
     }
+    const ImageRef<const float>& contour = voter.From->ContourDistance;
+    const double outside = -contour(sight.Column, sight.Row);
+    if (outside >= tau + nearest)
+    {
+      return { tau, 0, 0, voter.StepsWithin(outside - nearest - tau, sight, step) };
+    }
+    // Interpolated only where the nearest pixel says that it can matter.
+    if (outside > sample.Outside - 2)
+    {
+      sample.Outside = std::max(sample.Outside, -SampleBilinear(contour, sight.X, sight.Y));
+    }
+    voter.AddVote(sight, this->Tau, this->Options.GrazingDiscount, sample.F, sample.W);
   }
-  return outside;
+  sample.Outside = std::min(sample.Outside, tau);
+  return sample;
 }
 
 FusedField::Passage FusedField::Pass(
@@ -254,26 +266,34 @@ FusedField::Passage FusedField::Pass(
   this->ClipToBounds(origin, direction, from, to);
   const double tau = this->Options.TruncationPx;
   Passage passage{ tau, from };
-  std::vector<double> outside;
-  std::vector<double> field;
-  double inside = 0;
-  for (double t = from; t <= to; t += step)
+  if (from > to)
   {
-    const Vector3d x = origin + t * direction;
-    outside.push_back(this->OutsideSilhouettes(x));
-    double f = 0;
-    double w = 0;
-    if (outside.back() < tau)
-    {
-      this->VoteOfMaps(x, f, w);
-    }
-    inside += outside.back() < 0 ? step : 0;
-    const double wm = this->Options.SilhouettePrior * this->ChordFactor(inside);
-    const bool unseen = w + wm <= 0;
-    field.push_back(outside.back() >= tau ? tau : unseen ? -tau : tau * (f - wm) / (w + wm));
+    return passage;
   }
-  for (int k = 0; k < static_cast<int>(field.size()); ++k)
+  const std::size_t count = 1 + static_cast<std::size_t>((to - from) / step);
+  std::vector<double> outside(count, tau);
+  std::vector<double> field(count, tau);
+  double inside = 0;
+  for (std::size_t k = 0; k < count; ++k)
   {
+    const Sample sample = this->Look(origin + (from + k * step) * direction, step * direction);
+    if (sample.Outside >= tau)
+    {
+      k += sample.FreeSteps;
+      continue;
+    }
+    inside += sample.Outside < 0 ? step : 0;
+    const double wm = this->Options.SilhouettePrior * this->ChordFactor(inside);
+    const bool unseen = sample.W + wm <= 0;
+    outside[k] = sample.Outside;
+    field[k] = unseen ? -tau : tau * (sample.F - wm) / (sample.W + wm);
+  }
+  for (int k = 0; k < static_cast<int>(count); ++k)
+  {
+    if (outside[k] >= passage.Clearance)
+    {
+      continue;
+    }
     const double value = std::max(outside[k], std::clamp(ParabolaAt(field, k), -tau, tau));
     if (value < passage.Clearance)
     {

@@ -19,6 +19,7 @@ struct FusionOptions
   /**
    * How far a depth without texture loses its confidence G at grazing incidence, [0, 1]: there the
    * smoothness of the map has placed it. Factor 1 - GrazingDiscount (1 - G)^3 (1 - cos incidence).
+   * Regarded by Pass() only.
    */
   double GrazingDiscount = 0;
 };
@@ -103,15 +104,20 @@ private:
     bool See(const Eigen::Vector3d& x, Sight& sight) const;
     /** Adds what the view's map says about the point. */
     void AddVote(const Sight& sight, double tau, double grazing, double& f, double& w) const;
+    /** How many steps from a point its picture stays within `pixels` of here, and in the frame. */
+    int StepsWithin(double pixels, const Sight& sight, const Eigen::Vector3d& step) const;
     /** Cosine of the angle at which the view sees the surface of its map at a pixel. */
     double Incidence(int x, int y) const;
   };
   double Value(const Eigen::Vector3d& x) const;
-  /** The votes at a point without regard to silhouettes. */
-  void VoteOfMaps(const Eigen::Vector3d& x, double& f, double& w) const;
-  /** How far outside the silhouettes a point is, footprints, at least -tau; at tau it looks no
-   * further. */
-  double OutsideSilhouettes(const Eigen::Vector3d& x) const;
+  /** What silhouettes and maps say about a point of a ray. */
+  struct Sample
+  {
+    double Outside; ///< how far outside the silhouettes, footprints, within +- tau
+    double F, W;    ///< the maps' votes; not complete when Outside is tau
+    int FreeSteps;  ///< so many further steps of the ray are tau or more outside, too
+  };
+  Sample Look(const Eigen::Vector3d& x, const Eigen::Vector3d& step) const;
   /** Shortens [from, to] of a ray to what lies in the box around the maps' surfaces. */
   void ClipToBounds(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, double& from,
     double& to) const;

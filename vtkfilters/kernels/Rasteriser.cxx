@@ -2,7 +2,6 @@
 #include "Rasteriser.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -19,74 +18,142 @@ struct ProjectedPoint
   double InverseDepth; ///< 0 = at or behind the camera's plane
 };
 
-std::vector<ProjectedPoint> ProjectAll(
-  const TriangleMesh& mesh, const Camera& camera, const Execution& execution)
+/** The part [XBegin, XEnd) x [YBegin, YEnd) of a frame. */
+struct PixelBox
 {
-  std::vector<ProjectedPoint> projected(mesh.Points.size());
-  execution.ForEach(static_cast<std::int64_t>(mesh.Points.size()),
-    [&](std::int64_t i)
-    {
-      const double depth = camera.Depth(mesh.Points[i]);
-      if (depth > 0)
-      {
-        const Eigen::Vector2d u = camera.Project(mesh.Points[i]);
-        projected[i] = { u.x(), u.y(), 1 / depth };
-      }
-      else
-      {
-        projected[i] = { 0, 0, 0 };
-      }
-    });
-  return projected;
+  int XBegin, XEnd, YBegin, YEnd;
+  bool Empty() const { return this->XBegin >= this->XEnd || this->YBegin >= this->YEnd; }
+};
+
+/** The first integer not below `value`, cut to [0, size]. */
+int FirstPixel(double value, int size)
+{
+  return static_cast<int>(std::clamp(std::ceil(value), 0.0, static_cast<double>(size)));
 }
 
-/** First and last integer in [low, high], cut to [0, size). */
-std::pair<int, int> PixelRange(double low, double high, int size)
+/** A triangle in the picture. */
+struct ProjectedTriangle
 {
-  const double first = std::max(std::ceil(low), 0.0);
-  const double last = std::min(std::floor(high), size - 1.0);
-  return first <= last ? std::make_pair(static_cast<int>(first), static_cast<int>(last))
-                       : std::make_pair(0, -1);
-}
+  ProjectedPoint P[3];
+  double Area; ///< twice the signed area
 
-/** Draws the part of one triangle that lies in rows [rowBegin, rowEnd). */
-void DrawTriangle(const std::array<ProjectedPoint, 3>& p, int cellId, int rowBegin, int rowEnd,
-  KeepSurface keep, ItemBuffer& buffer)
-{
-  const double area = (p[1].X - p[0].X) * (p[2].Y - p[0].Y) - (p[2].X - p[0].X) * (p[1].Y - p[0].Y);
-  if (area == 0 || !std::isfinite(area))
+  explicit ProjectedTriangle(
+    const ProjectedPoint& a, const ProjectedPoint& b, const ProjectedPoint& c)
+    : P{ a, b, c }
+    , Area((b.X - a.X) * (c.Y - a.Y) - (c.X - a.X) * (b.Y - a.Y))
   {
-    return;
   }
-  const auto [xMin, xMax] = std::minmax({ p[0].X, p[1].X, p[2].X });
-  const auto [yMin, yMax] = std::minmax({ p[0].Y, p[1].Y, p[2].Y });
-  const auto [x0, x1] = PixelRange(xMin, xMax, buffer.CellId.Width);
-  auto [y0, y1] = PixelRange(yMin, yMax, buffer.CellId.Height);
-  y0 = std::max(y0, rowBegin);
-  y1 = std::min(y1, rowEnd - 1);
-  for (int y = y0; y <= y1; ++y)
+
+  bool Drawn() const { return this->Area != 0 && std::isfinite(this->Area); }
+
+  /** The pixels whose centre is no further than `margin` outside its bounding box. */
+  PixelBox Box(double margin, int width, int height) const
   {
-    for (int x = x0; x <= x1; ++x)
+    const auto [xMin, xMax] = std::minmax({ this->P[0].X, this->P[1].X, this->P[2].X });
+    const auto [yMin, yMax] = std::minmax({ this->P[0].Y, this->P[1].Y, this->P[2].Y });
+    return { FirstPixel(xMin - margin, width), FirstPixel(std::floor(xMax + margin) + 1, width),
+      FirstPixel(yMin - margin, height), FirstPixel(std::floor(yMax + margin) + 1, height) };
+  }
+
+  /** Depth at a place of the picture; NoDepth outside the triangle. */
+  float DepthAt(double x, double y) const
+  {
+    const double sign = this->Area > 0 ? 1 : -1;
+    const double w0 = sign * this->Edge(1, 2, x, y);
+    const double w1 = sign * this->Edge(2, 0, x, y);
+    const double w2 = sign * this->Edge(0, 1, x, y);
+    if (w0 < 0 || w1 < 0 || w2 < 0)
     {
-      const double w0 = ((p[1].X - x) * (p[2].Y - y) - (p[2].X - x) * (p[1].Y - y)) / area;
-      const double w1 = ((p[2].X - x) * (p[0].Y - y) - (p[0].X - x) * (p[2].Y - y)) / area;
-      const double w2 = ((p[0].X - x) * (p[1].Y - y) - (p[1].X - x) * (p[0].Y - y)) / area;
-      if (w0 < 0 || w1 < 0 || w2 < 0)
+      return NoDepth;
+    }
+    return static_cast<float>((w0 + w1 + w2) /
+      (w0 * this->P[0].InverseDepth + w1 * this->P[1].InverseDepth + w2 * this->P[2].InverseDepth));
+  }
+
+private:
+  double Edge(int a, int b, double x, double y) const
+  {
+    return (this->P[a].X - x) * (this->P[b].Y - y) - (this->P[b].X - x) * (this->P[a].Y - y);
+  }
+};
+
+/** The triangles of a mesh, projected and sorted into bands of rows that are drawn in parallel. */
+class TriangleBands
+{
+public:
+  /** @param margin as for ProjectedTriangle::Box. */
+  TriangleBands(
+    const TriangleMesh& mesh, const Camera& camera, double margin, const Execution& execution)
+    : Mesh(mesh)
+    , Run(execution)
+    , Margin(margin)
+    , Width(camera.Width)
+    , Height(camera.Height)
+    , Points(mesh.Points.size())
+    , CellsOfBand((camera.Height + BandRows - 1) / BandRows)
+  {
+    const Eigen::Matrix3d M = camera.K * camera.R;
+    const Eigen::Vector3d t = camera.K * camera.T;
+    execution.ForEach(static_cast<std::int64_t>(mesh.Points.size()),
+      [&](std::int64_t i)
       {
-        continue;
-      }
-      const float depth = static_cast<float>((w0 + w1 + w2) /
-        (w0 * p[0].InverseDepth + w1 * p[1].InverseDepth + w2 * p[2].InverseDepth));
-      // Triangles come in the order of their ids, so "nearer" alone lets the lowest id win ties.
-      const float before = buffer.Depth(x, y);
-      if (keep == KeepSurface::Nearest ? depth < before : !(depth <= before && before < NoDepth))
+        const Eigen::Vector3d p = M * mesh.Points[i] + t;
+        const double inverse = p.z() > 0 ? 1 / p.z() : 0;
+        this->Points[i] = { p.x() * inverse, p.y() * inverse, inverse };
+      });
+    for (std::size_t cellId = 0; cellId < mesh.Triangles.size(); ++cellId)
+    {
+      const ProjectedTriangle triangle = this->Projected(cellId);
+      const PixelBox box = triangle.Box(margin, this->Width, this->Height);
+      const bool inFront = triangle.P[0].InverseDepth > 0 && triangle.P[1].InverseDepth > 0 &&
+        triangle.P[2].InverseDepth > 0;
+      if (inFront && triangle.Drawn() && !box.Empty())
       {
-        buffer.Depth(x, y) = depth;
-        buffer.CellId(x, y) = cellId;
+        for (int band = box.YBegin / BandRows; band <= (box.YEnd - 1) / BandRows; ++band)
+        {
+          this->CellsOfBand[band].push_back(static_cast<int>(cellId));
+        }
       }
     }
   }
-}
+
+  /**
+   * Calls draw(cellId, triangle, box) for every triangle and band, bands in parallel, the triangles
+   * of a band in the order of their ids; box is the triangle's part of the band.
+   */
+  template <class Draw>
+  void ForEach(const Draw& draw) const
+  {
+    this->Run.ForEach(static_cast<std::int64_t>(this->CellsOfBand.size()),
+      [&](std::int64_t band)
+      {
+        const int rowBegin = static_cast<int>(band) * BandRows;
+        for (const int cellId : this->CellsOfBand[band])
+        {
+          const ProjectedTriangle triangle = this->Projected(cellId);
+          PixelBox box = triangle.Box(this->Margin, this->Width, this->Height);
+          box.YBegin = std::max(box.YBegin, rowBegin);
+          box.YEnd = std::min(box.YEnd, rowBegin + BandRows);
+          draw(cellId, triangle, box);
+        }
+      });
+  }
+
+private:
+  ProjectedTriangle Projected(std::size_t cellId) const
+  {
+    const Eigen::Vector3i& t = this->Mesh.Triangles[cellId];
+    return ProjectedTriangle(this->Points[t[0]], this->Points[t[1]], this->Points[t[2]]);
+  }
+
+  const TriangleMesh& Mesh;
+  const Execution& Run;
+  const double Margin;
+  const int Width;
+  const int Height;
+  std::vector<ProjectedPoint> Points;
+  std::vector<std::vector<int>> CellsOfBand;
+};
 }
 
 ItemBuffer Rasterise(
@@ -95,39 +162,67 @@ ItemBuffer Rasterise(
   ItemBuffer buffer;
   buffer.CellId = Image<int>(camera.Width, camera.Height, 1, -1);
   buffer.Depth = Image<float>(camera.Width, camera.Height, 1, NoDepth);
-  const std::vector<ProjectedPoint> projected = ProjectAll(mesh, camera, execution);
-
-  const int bands = (camera.Height + BandRows - 1) / BandRows;
-  std::vector<std::vector<int>> cellsOfBand(bands);
-  for (std::size_t cellId = 0; cellId < mesh.Triangles.size(); ++cellId)
-  {
-    const Eigen::Vector3i& t = mesh.Triangles[cellId];
-    if (projected[t[0]].InverseDepth == 0 || projected[t[1]].InverseDepth == 0 ||
-      projected[t[2]].InverseDepth == 0)
+  const TriangleBands bands(mesh, camera, 0, execution);
+  bands.ForEach(
+    [&](int cellId, const ProjectedTriangle& triangle, const PixelBox& box)
     {
-      continue;
-    }
-    const auto [low, high] =
-      std::minmax({ projected[t[0]].Y, projected[t[1]].Y, projected[t[2]].Y });
-    const auto [first, last] = PixelRange(low, high, camera.Height);
-    for (int band = first / BandRows; band <= last / BandRows && first <= last; ++band)
-    {
-      cellsOfBand[band].push_back(static_cast<int>(cellId));
-    }
-  }
-  execution.ForEach(bands,
-    [&](std::int64_t band)
-    {
-      const int rowBegin = static_cast<int>(band) * BandRows;
-      const int rowEnd = std::min(rowBegin + BandRows, camera.Height);
-      for (const int cellId : cellsOfBand[band])
+      for (int y = box.YBegin; y < box.YEnd; ++y)
       {
-        const Eigen::Vector3i& t = mesh.Triangles[cellId];
-        DrawTriangle({ projected[t[0]], projected[t[1]], projected[t[2]] }, cellId, rowBegin,
-          rowEnd, keep, buffer);
+        for (int x = box.XBegin; x < box.XEnd; ++x)
+        {
+          const float depth = triangle.DepthAt(x, y);
+          const float before = buffer.Depth(x, y);
+          // Triangles come in the order of their ids, so "nearer" alone lets the lowest id win ties.
+          if (keep == KeepSurface::Nearest
+              ? depth < before
+              : depth < NoDepth && !(depth <= before && before < NoDepth))
+          {
+            buffer.Depth(x, y) = depth;
+            buffer.CellId(x, y) = cellId;
+          }
+        }
       }
     });
   return buffer;
+}
+
+SubRays RasteriseSubRays(const TriangleMesh& mesh, const Camera& camera,
+  const Image<std::uint8_t>& chosen, int perSide, const Execution& execution)
+{
+  SubRays rays;
+  rays.PerSide = perSide;
+  rays.Index = Image<int>(camera.Width, camera.Height, 1, -1);
+  int count = 0;
+  for (std::size_t i = 0; i < chosen.Values.size(); ++i)
+  {
+    rays.Index.Values[i] = chosen.Values[i] ? count++ : -1;
+  }
+  const std::size_t perPixel = static_cast<std::size_t>(perSide) * perSide;
+  rays.CellId.assign(count * perPixel, -1);
+  rays.Depth.assign(count * perPixel, NoDepth);
+  const TriangleBands bands(mesh, camera, 0.5, execution);
+  bands.ForEach(
+    [&](int cellId, const ProjectedTriangle& triangle, const PixelBox& box)
+    {
+      for (int y = box.YBegin; y < box.YEnd; ++y)
+      {
+        for (int x = box.XBegin; x < box.XEnd; ++x)
+        {
+          for (std::size_t k = 0; k < perPixel && rays.Index(x, y) >= 0; ++k)
+          {
+            const float depth = triangle.DepthAt(x + rays.Offset(static_cast<int>(k) % perSide),
+              y + rays.Offset(static_cast<int>(k) / perSide));
+            const std::size_t ray = rays.Index(x, y) * perPixel + k;
+            if (depth < rays.Depth[ray])
+            {
+              rays.Depth[ray] = depth;
+              rays.CellId[ray] = cellId;
+            }
+          }
+        }
+      }
+    });
+  return rays;
 }
 
 double DepthBehind(const ImageRef<const float>& depth, const Eigen::Vector2d& pixel, double z)
@@ -146,17 +241,5 @@ double DepthBehind(const ImageRef<const float>& depth, const Eigen::Vector2d& pi
     }
   }
   return deepest > 0 ? z - deepest : -std::numeric_limits<double>::infinity();
-}
-
-Camera Supersampled(const Camera& camera, int factor)
-{
-  Camera result = camera;
-  result.K.topRows<2>() *= factor;
-  // Pixel x of the small picture covers factor pixels whose middle is factor x + (factor - 1) / 2.
-  result.K(0, 2) += 0.5 * (factor - 1);
-  result.K(1, 2) += 0.5 * (factor - 1);
-  result.Width *= factor;
-  result.Height *= factor;
-  return result;
 }
 }

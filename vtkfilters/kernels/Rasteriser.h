@@ -7,6 +7,9 @@
 #include "ImageRef.h"
 #include "TriangleMesh.h"
 
+#include <cstdint>
+#include <vector>
+
 namespace novelview
 {
 /** What a camera sees of a mesh, per pixel: the paper's mesh lookup table. */
@@ -44,11 +47,22 @@ ItemBuffer Rasterise(const TriangleMesh& mesh, const Camera& camera,
  */
 double DepthBehind(const ImageRef<const float>& depth, const Eigen::Vector2d& pixel, double z);
 
-/**
- * The camera whose picture is `factor` times as large in each direction and covers the same frame:
- * each pixel of `camera` is factor x factor pixels of the result.
- */
-Camera Supersampled(const Camera& camera, int factor);
+/** What an evenly spaced grid of rays through each of some pixels hits. */
+struct SubRays
+{
+  int PerSide = 1;
+  Image<int> Index; ///< which of the pixels with sub-rays a pixel is, -1 = none of them
+  /** PerSide x PerSide per pixel, row by row: front triangle (-1 = background) and its depth. */
+  std::vector<int> CellId;
+  std::vector<float> Depth;
+
+  /** Where sub-ray i of a row, or row i of sub-rays, lies from the pixel's centre, pixels. */
+  double Offset(int i) const { return (i + 0.5) / this->PerSide - 0.5; }
+};
+
+/** Rasterises a mesh as Rasterise() does, with PerSide^2 rays in each of the `chosen` pixels. */
+SubRays RasteriseSubRays(const TriangleMesh& mesh, const Camera& camera,
+  const Image<std::uint8_t>& chosen, int perSide, const Execution& execution = {});
 }
 
 #endif

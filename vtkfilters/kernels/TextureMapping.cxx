@@ -75,14 +75,6 @@ double Visibility(
   return std::exp(-ratio * ratio);
 }
 
-struct Candidate
-{
-  double Cosine;
-  double Weight;
-  const Reference* From;
-  Vector2d Pixel;
-};
-
 /** Everything the colour of one pixel needs; one per thread, so that no pixel allocates. */
 class Blender
 {
@@ -98,24 +90,29 @@ public:
   /** Blends the colour of a surface point; false when no reference sees it. */
   bool Blend(const Vector3d& point, double rgb[3])
   {
-    this->Collect(point);
-    std::sort(this->Candidates.begin(), this->Candidates.end(),
-      [](const Candidate& a, const Candidate& b) { return a.Cosine > b.Cosine; });
-    if (this->Candidates.size() > static_cast<std::size_t>(this->Options.References))
-    {
-      this->Candidates.resize(this->Options.References);
-    }
+    this->SortByAngle(point);
     double total = 0;
+    int used = 0;
     rgb[0] = rgb[1] = rgb[2] = 0;
-    for (const Candidate& candidate : this->Candidates)
+    for (const auto& [cosine, reference] : this->Nearest)
     {
-      const double gain = this->Options.UseGains ? candidate.From->Photo->Gain : 1;
-      total += candidate.Weight;
+      Vector2d u;
+      const double weight =
+        std::pow(cosine, this->Options.Power) * this->Share(*reference, point, u);
+      if (weight <= 1e-6)
+      {
+        continue;
+      }
+      const double gain = this->Options.UseGains ? reference->Photo->Gain : 1;
+      total += weight;
       for (int channel = 0; channel < 3; ++channel)
       {
-        rgb[channel] += candidate.Weight / gain *
-          SampleBilinear(
-            candidate.From->Photo->Color, candidate.Pixel.x(), candidate.Pixel.y(), channel);
+        rgb[channel] +=
+          weight / gain * SampleBilinear(reference->Photo->Color, u.x(), u.y(), channel);
+      }
+      if (++used == this->Options.References)
+      {
+        break;
       }
     }
     for (int channel = 0; channel < 3 && total > 0; ++channel)
@@ -126,103 +123,143 @@ public:
   }
 
 private:
-  void Collect(const Vector3d& point)
+  /** Those that look at the point from the novel camera's side, the nearest first. */
+  void SortByAngle(const Vector3d& point)
   {
-    this->Candidates.clear();
+    this->Nearest.clear();
     const Vector3d novelRay = (point - this->Centre).normalized();
     for (const Reference& reference : this->References)
     {
-      const Camera& camera = reference.Photo->Cam;
-      const double z = camera.Depth(point);
-      const double cosine = novelRay.dot((point - reference.Centre).normalized());
-      if (z <= 0 || cosine <= 0)
+      const Vector3d ray = point - reference.Centre;
+      const double cosine = novelRay.dot(ray) / ray.norm();
+      if (cosine > 0)
       {
-        continue;
-      }
-      const Vector2d u = camera.Project(point);
-      if (u.x() < 0 || u.y() < 0 || u.x() > camera.Width - 1 || u.y() > camera.Height - 1)
-      {
-        continue;
-      }
-      const double inside =
-        SampleBilinear(reference.Photo->ContourDistance, u.x(), u.y()) - this->Options.BorderPx;
-      if (inside <= 0)
-      {
-        continue;
-      }
-      const double weight = std::pow(cosine, this->Options.Power) *
-        std::min(inside / this->Options.FeatherPx, 1.0) *
-        Visibility(reference, u, z, this->Options);
-      if (weight > 1e-6)
-      {
-        this->Candidates.push_back({ cosine, weight, &reference, u });
+        this->Nearest.emplace_back(cosine, &reference);
       }
     }
+    std::sort(this->Nearest.begin(), this->Nearest.end(),
+      [](const auto& a, const auto& b) { return a.first > b.first; });
+  }
+
+  /** How well a reference sees a point, 0 to 1, and at which pixel. */
+  double Share(const Reference& reference, const Vector3d& point, Vector2d& u) const
+  {
+    const Camera& camera = reference.Photo->Cam;
+    const double z = camera.Depth(point);
+    if (z <= 0)
+    {
+      return 0;
+    }
+    u = camera.Project(point);
+    if (!(u.x() >= 0 && u.y() >= 0 && u.x() <= camera.Width - 1 && u.y() <= camera.Height - 1))
+    {
+      return 0;
+    }
+    const double inside =
+      SampleBilinear(reference.Photo->ContourDistance, u.x(), u.y()) - this->Options.BorderPx;
+    return inside <= 0 ? 0
+                       : std::min(inside / this->Options.FeatherPx, 1.0) *
+        Visibility(reference, u, z, this->Options);
   }
 
   const std::vector<Reference>& References;
   const Vector3d Centre;
   const TextureOptions& Options;
-  std::vector<Candidate> Candidates;
+  std::vector<std::pair<double, const Reference*>> Nearest; ///< with the cosine to the novel ray
 };
 
 /**
- * Item buffer at pixel resolution with the share of each pixel that the mesh covers. A pixel whose
- * centre is missed but of which half is covered takes the hit sub-ray nearest the centre.
+ * Item buffer with the share of each pixel that the mesh covers. A pixel whose centre is missed but
+ * of which half is covered takes the hit sub-ray nearest the centre.
  */
 struct CoveredBuffer
 {
-  Image<int> CellId;
-  Image<float> Depth;
-  Image<float> Coverage; ///< 0 to 1
-  Image<float> OffsetX;  ///< where in the pixel the depth was taken, px from its centre
-  Image<float> OffsetY;
+  ItemBuffer Front;
+  Image<float> Coverage;  ///< 0 to 1
+  SubRays Rim;            ///< rays through the pixels next to which another is not hit as they are
+  Image<Vector2d> Offset; ///< where in the pixel the depth was taken, px from its centre
 };
+
+/** The pixels at the border between object and background: some of the 3x3 are hit, some not. */
+Image<std::uint8_t> RimPixels(const ItemBuffer& front, const Execution& execution)
+{
+  const int width = front.CellId.Width;
+  const int height = front.CellId.Height;
+  Image<std::uint8_t> rim(width, height);
+  execution.ForEach(height,
+    [&](std::int64_t row)
+    {
+      const int y = static_cast<int>(row);
+      for (int x = 0; x < width; ++x)
+      {
+        const bool hit = front.Hit(x, y);
+        for (int j = std::max(y - 1, 0); j <= std::min(y + 1, height - 1) && !rim(x, y); ++j)
+        {
+          for (int i = std::max(x - 1, 0); i <= std::min(x + 1, width - 1); ++i)
+          {
+            rim(x, y) |= front.Hit(i, j) != hit;
+          }
+        }
+      }
+    });
+  return rim;
+}
+
+/** Settles a rim pixel by its sub-rays. */
+void CoverRimPixel(CoveredBuffer& buffer, int x, int y)
+{
+  const SubRays& rays = buffer.Rim;
+  const int perPixel = rays.PerSide * rays.PerSide;
+  const int middle = rays.PerSide / 2;
+  const std::size_t first = static_cast<std::size_t>(rays.Index(x, y)) * perPixel;
+  int hits = 0;
+  int nearest = std::numeric_limits<int>::max();
+  buffer.Front.CellId(x, y) = -1;
+  for (int k = 0; k < perPixel; ++k)
+  {
+    if (rays.CellId[first + k] < 0)
+    {
+      continue;
+    }
+    ++hits;
+    const int i = k % rays.PerSide - middle;
+    const int j = k / rays.PerSide - middle;
+    if (i * i + j * j < nearest)
+    {
+      nearest = i * i + j * j;
+      buffer.Front.CellId(x, y) = rays.CellId[first + k];
+      buffer.Front.Depth(x, y) = rays.Depth[first + k];
+      buffer.Offset(x, y) = Vector2d(rays.Offset(i + middle), rays.Offset(j + middle));
+    }
+  }
+  buffer.Coverage(x, y) = static_cast<float>(hits) / perPixel;
+}
 
 CoveredBuffer RasteriseCovered(
   const TriangleMesh& mesh, const Camera& camera, int samples, const Execution& execution)
 {
-  const ItemBuffer fine = Rasterise(mesh, Supersampled(camera, samples), execution);
   CoveredBuffer result;
-  result.CellId = Image<int>(camera.Width, camera.Height, 1, -1);
-  result.Depth = Image<float>(camera.Width, camera.Height, 1, NoDepth);
+  result.Front = Rasterise(mesh, camera, execution);
   result.Coverage = Image<float>(camera.Width, camera.Height);
-  result.OffsetX = Image<float>(camera.Width, camera.Height);
-  result.OffsetY = Image<float>(camera.Width, camera.Height);
-  const int middle = samples / 2;
-  execution.ForEach(camera.Height,
-    [&](std::int64_t row)
-    {
-      const int y = static_cast<int>(row);
-      for (int x = 0; x < camera.Width; ++x)
+  result.Offset = Image<Vector2d>(camera.Width, camera.Height, 1, Vector2d(0, 0));
+  std::transform(result.Front.CellId.Values.begin(), result.Front.CellId.Values.end(),
+    result.Coverage.Values.begin(), [](int cellId) { return cellId >= 0 ? 1.f : 0.f; });
+  if (samples > 1)
+  {
+    const Image<std::uint8_t> rim = RimPixels(result.Front, execution);
+    result.Rim = RasteriseSubRays(mesh, camera, rim, samples, execution);
+    execution.ForEach(camera.Height,
+      [&](std::int64_t y)
       {
-        int hits = 0;
-        int nearest = std::numeric_limits<int>::max();
-        for (int j = 0; j < samples; ++j)
+        for (int x = 0; x < camera.Width; ++x)
         {
-          for (int i = 0; i < samples; ++i)
+          if (result.Rim.Index(x, static_cast<int>(y)) >= 0)
           {
-            const int fx = x * samples + i;
-            const int fy = y * samples + j;
-            if (!fine.Hit(fx, fy))
-            {
-              continue;
-            }
-            ++hits;
-            const int distance = (i - middle) * (i - middle) + (j - middle) * (j - middle);
-            if (distance < nearest)
-            {
-              nearest = distance;
-              result.CellId(x, y) = fine.CellId(fx, fy);
-              result.Depth(x, y) = fine.Depth(fx, fy);
-              result.OffsetX(x, y) = static_cast<float>(i - middle) / samples;
-              result.OffsetY(x, y) = static_cast<float>(j - middle) / samples;
-            }
+            CoverRimPixel(result, x, static_cast<int>(y));
           }
         }
-        result.Coverage(x, y) = static_cast<float>(hits) / (samples * samples);
-      }
-    });
+      });
+  }
   return result;
 }
 
@@ -312,12 +349,12 @@ TexturedView TextureView(const TriangleMesh& mesh, const TriangleMesh* occluders
           {
             continue;
           }
-          const Vector2d pixel(x + buffer.OffsetX(x, y), y + buffer.OffsetY(x, y));
-          const Vector3d point = camera.Unproject(pixel, buffer.Depth(x, y));
+          const Vector3d point =
+            camera.Unproject(Vector2d(x, y) + buffer.Offset(x, y), buffer.Front.Depth(x, y));
           double rgb[3];
           result.Mask(x, y) = 255;
-          result.Depth(x, y) = buffer.Depth(x, y);
-          result.CellId(x, y) = buffer.CellId(x, y);
+          result.Depth(x, y) = buffer.Front.Depth(x, y);
+          result.CellId(x, y) = buffer.Front.CellId(x, y);
           result.Seen(x, y) = blender.Blend(point, rgb);
           for (int channel = 0; channel < 3; ++channel)
           {
