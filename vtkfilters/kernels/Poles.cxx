@@ -94,15 +94,6 @@ std::array<int, 2> PolesOfSample(const DelaunayComplex& complex, int sample)
 }
 }
 
-double BallAgreement(
-  const Eigen::Vector3d& centreA, double radiusA, const Eigen::Vector3d& centreB, double radiusB)
-{
-  const double cosine =
-    (radiusA * radiusA + radiusB * radiusB - (centreA - centreB).squaredNorm()) /
-    (2 * radiusA * radiusB);
-  return std::clamp(cosine, -1.0, 1.0);
-}
-
 Poles FindPoles(const DelaunayComplex& complex, bool allCertain, const Execution& execution)
 {
   const std::vector<int> roots = MergeCospherical(complex);

@@ -90,7 +90,7 @@ PowerCrustResult ComputePowerCrust(const std::vector<Eigen::Vector3d>& points,
   }
   const DelaunayComplex complex = BuildDelaunayComplex(points, execution);
   const Poles poles = FindPoles(complex, options.Output == CrustOutput::PowerCrust, execution);
-  std::vector<Side> tetLabels = LabelTets(complex, poles.OfSample, normals);
+  std::vector<Side> tetLabels = LabelTets(complex, poles.OfSample, normals, execution);
   execution.Report(0.8);
 
   PowerCrustResult result;

@@ -30,8 +30,8 @@ namespace novelview
  * |cos| of the angle between its normal and the direction to the pole.
  */
 std::vector<Side> LabelTets(const DelaunayComplex& complex,
-  const std::vector<std::array<int, 2>>& polesOfSample,
-  const std::vector<Eigen::Vector3d>* normals);
+  const std::vector<std::array<int, 2>>& polesOfSample, const std::vector<Eigen::Vector3d>* normals,
+  const Execution& execution);
 
 /**
  * Turns over pieces of the inside and of the outside (connected through facets) with less than
