@@ -344,9 +344,8 @@ public:
   {
   }
 
-  /** Groups the star of `point`. Calls with rising stamps only. */
-  const std::vector<Piece>& Group(
-    int point, const std::vector<Side>& labels, const std::vector<char>& turns)
+  /** Groups the star of `point`; the pieces have neither volumes nor are they frozen yet. */
+  const std::vector<Piece>& Group(int point, const std::vector<Side>& labels)
   {
     this->Pieces.clear();
     ++this->Stamp;
@@ -357,14 +356,28 @@ public:
       const int seed = this->Complex.Incidence[i];
       if (this->Mark[seed] != this->Stamp)
       {
-        this->Pieces.push_back(this->Grow(point, seed, labels, turns));
+        this->Pieces.push_back(this->Grow(point, seed, labels));
+      }
+    }
+    return this->Pieces;
+  }
+
+  /** Adds to the pieces what a repair needs. */
+  const std::vector<Piece>& Measure(const std::vector<char>& turns)
+  {
+    for (Piece& piece : this->Pieces)
+    {
+      for (int tet : piece.Tets)
+      {
+        piece.Volume += this->Complex.Volume(tet);
+        piece.Frozen |= turns[tet] >= MaximumTurns || this->Complex.TouchesCorner(tet);
       }
     }
     return this->Pieces;
   }
 
 private:
-  Piece Grow(int point, int seed, const std::vector<Side>& labels, const std::vector<char>& turns)
+  Piece Grow(int point, int seed, const std::vector<Side>& labels)
   {
     Piece piece;
     piece.Label = labels[seed];
@@ -373,8 +386,6 @@ private:
     for (std::size_t head = 0; head < piece.Tets.size(); ++head)
     {
       const int tet = piece.Tets[head];
-      piece.Volume += this->Complex.Volume(tet);
-      piece.Frozen |= turns[tet] >= MaximumTurns || this->Complex.TouchesCorner(tet);
       for (int k = 0; k < 4; ++k)
       {
         const int other = this->Complex.Neighbors[tet][k];
@@ -649,33 +660,42 @@ int RemoveSmallPieces(const DelaunayComplex& complex, int minimumSamples, std::v
 }
 
 //------------------------------------------------------------------------------
-int MakeManifold(const DelaunayComplex& complex, std::vector<Side>& labels)
+int MakeManifold(
+  const DelaunayComplex& complex, std::vector<Side>& labels, const Execution& execution)
 {
   std::vector<char> turns(complex.Tets.size(), 0);
-  std::vector<char> queued(static_cast<std::size_t>(complex.NumberOfSamples), 1);
+  const std::size_t numberOfSamples = static_cast<std::size_t>(complex.NumberOfSamples);
+  std::vector<char> irregular(numberOfSamples, 0);
+  execution.ParallelFor(complex.NumberOfSamples,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      Star star(complex);
+      for (int s = static_cast<int>(begin); s < end; ++s)
+      {
+        irregular[s] = !IsBuried(complex, labels, s) && !IsRegular(star.Group(s, labels));
+      }
+    });
   std::deque<int> queue;
   for (int s = 0; s < complex.NumberOfSamples; ++s)
   {
-    queue.push_back(s);
+    if (irregular[s])
+    {
+      queue.push_back(s);
+    }
   }
+  std::vector<char> queued = irregular;
   Star star(complex);
-  std::vector<char> irregular(queued.size(), 0);
   while (!queue.empty())
   {
     const int sample = queue.front();
     queue.pop_front();
     queued[sample] = 0;
     irregular[sample] = 0;
-    if (IsBuried(complex, labels, sample))
+    if (IsRegular(star.Group(sample, labels)))
     {
       continue;
     }
-    const std::vector<Star::Piece>& pieces = star.Group(sample, labels, turns);
-    if (IsRegular(pieces))
-    {
-      continue;
-    }
-    const std::vector<int> turned = RepairStar(pieces, labels, turns);
+    const std::vector<int> turned = RepairStar(star.Measure(turns), labels, turns);
     irregular[sample] = turned.empty();
     for (int tet : turned)
     {

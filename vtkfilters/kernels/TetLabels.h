@@ -49,7 +49,8 @@ int RemoveSmallPieces(
  * than `MaximumTurns` times and none with a far corner at all, so it ends; what is left then is
  * for the extraction to split. Returns the number of samples left irregular.
  */
-int MakeManifold(const DelaunayComplex& complex, std::vector<Side>& labels);
+int MakeManifold(
+  const DelaunayComplex& complex, std::vector<Side>& labels, const Execution& execution = {});
 
 /**
  * Brings samples onto the surface that have only inside or only outside tetrahedra: a tetrahedron
