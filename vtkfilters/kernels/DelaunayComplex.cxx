@@ -245,8 +245,7 @@ std::vector<NamedCell> SortedCells(
 void ExportTets(
   const Triangulation& triangulation, const Execution& execution, DelaunayComplex& complex)
 {
-  const std::vector<NamedCell> cells =
-    SortedCells(triangulation, complex.Points.size(), execution);
+  const std::vector<NamedCell> cells = SortedCells(triangulation, complex.Points.size(), execution);
   complex.Tets.resize(cells.size());
   complex.Neighbors.resize(cells.size());
   execution.ForEach(complex.NumberOfTets(),
