@@ -8,9 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
-#include <limits>
 #include <numeric>
-#include <queue>
 #include <utility>
 
 namespace novelview
@@ -87,6 +85,7 @@ public:
     , Edges(CollectEdges(complex, execution))
     , Poles(complex.Tets.size())
     , ToldBy(complex.Points.size(), -1)
+    , Queue(Levels)
   {
   }
 
@@ -108,26 +107,31 @@ public:
 
   std::vector<Side> Run()
   {
-    while (!this->Queue.empty())
+    while (this->Highest >= 0)
     {
-      const Entry entry = this->Queue.top();
-      this->Queue.pop();
-      Pole& pole = this->Poles[entry.Tet];
-      if (pole.Label != Side::Unknown || entry.Priority != pole.Queued)
+      std::vector<int>& level = this->Queue[this->Highest];
+      if (level.empty())
+      {
+        --this->Highest;
+        continue;
+      }
+      const int tet = level.back();
+      level.pop_back();
+      Pole& pole = this->Poles[tet];
+      if (pole.Label != Side::Unknown || pole.Queued != this->Highest)
       {
         continue;
       }
-      if (pole.Priority() < entry.Priority) // it has heard the contrary since
+      if (pole.Level() < this->Highest) // it has heard the contrary since
       {
-        pole.Queued = -std::numeric_limits<double>::infinity();
-        this->Enqueue(entry.Tet);
+        pole.Queued = -1;
+        this->Enqueue(tet);
         continue;
       }
-      const bool inside =
-        pole.Support[0] > pole.Support[1] && !this->Complex.TouchesCorner(entry.Tet);
+      const bool inside = pole.Support[0] > pole.Support[1] && !this->Complex.TouchesCorner(tet);
       pole.Label = inside ? Side::Inside : Side::Outside;
-      this->TellOppositePoles(entry.Tet);
-      this->TellNeighbors(entry.Tet);
+      this->TellOppositePoles(tet);
+      this->TellNeighbors(tet);
     }
     std::vector<Side> labels(this->Poles.size());
     std::transform(this->Poles.begin(), this->Poles.end(), labels.begin(),
@@ -136,40 +140,34 @@ public:
   }
 
 private:
+  /** Priorities, from -1 to 1, are told apart to this part of their range. */
+  static constexpr int Levels = 1 << 12;
+
   struct Pole
   {
     double Evidence[2] = { 0, 0 }; ///< inside, outside: the strongest
     double Support[2] = { 0, 0 };  ///< inside, outside: sum of the cubes of all
-    double Queued = -std::numeric_limits<double>::infinity(); ///< highest priority in the queue
+    int Queued = -1;               ///< highest level in the queue
     Side Label = Side::Unknown;
 
-    double Priority() const
+    int Level() const
     {
       const auto [in, out] = this->Evidence;
-      return in > 0 && out > 0 ? std::abs(in - out) - 1 : std::max(in, out);
+      const double priority = in > 0 && out > 0 ? std::abs(in - out) - 1 : std::max(in, out);
+      return static_cast<int>(0.5 * (priority + 1) * (Levels - 1));
     }
   };
 
-  struct Entry
-  {
-    double Priority;
-    int Tet;
-    bool operator<(const Entry& other) const
-    {
-      return this->Priority != other.Priority ? this->Priority < other.Priority
-                                              : this->Tet > other.Tet;
-    }
-  };
-
-  /** A pole in the queue with a higher priority than it has is found out when it comes up. */
+  /** A pole in the queue at a higher level than its own is found out when it comes up. */
   void Enqueue(int tet)
   {
     Pole& pole = this->Poles[tet];
-    const double priority = pole.Priority();
-    if (priority > pole.Queued)
+    const int level = pole.Level();
+    if (level > pole.Queued)
     {
-      pole.Queued = priority;
-      this->Queue.push({ priority, tet });
+      pole.Queued = level;
+      this->Queue[level].push_back(tet);
+      this->Highest = std::max(this->Highest, level);
     }
   }
 
@@ -230,9 +228,10 @@ private:
   const DelaunayComplex& Complex;
   const std::vector<std::array<int, 2>>& PolesOfSample;
   const EdgeLists Edges;
-  std::vector<Pole> Poles; ///< per tetrahedron; most are no pole
-  std::vector<int> ToldBy; ///< per sample the pole that told its poles last
-  std::priority_queue<Entry> Queue;
+  std::vector<Pole> Poles;             ///< per tetrahedron; most are no pole
+  std::vector<int> ToldBy;             ///< per sample the pole that told its poles last
+  std::vector<std::vector<int>> Queue; ///< per level the poles, the last one first
+  int Highest = -1;                    ///< no level above has a pole
 };
 
 //------------------------------------------------------------------------------

@@ -15,8 +15,8 @@ namespace novelview
  * pole of its samples for the opposite side, -cos of the angle between the two at the sample; to
  * the poles of samples that share a Delaunay edge with its own for the same side, the balls'
  * BallAgreement. The priority of a pole with evidence for both sides is their difference less one,
- * of others the evidence itself. Ties: lowest tetrahedron id. A pole takes the side for which the
- * cubes of all its evidence sum to more.
+ * of others the evidence itself; priorities within half a thousandth are one, and the last to get
+ * there comes first. A pole takes the side for which the cubes of all its evidence sum to more.
  *
  * Differs from the paper: that passes same-side evidence between neighbours in the poles' power
  * diagram (the neighbours of samples are found without it, which takes a fifth of the time), and
