@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "CrustSurface.h"
 
-#include "DisjointSets.h"
-
 #include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace novelview
@@ -67,7 +66,8 @@ int TurnAroundEdge(
   }
 }
 
-HalfEdgeSoup CollectBoundary(const DelaunayComplex& complex, const std::vector<Side>& labels)
+HalfEdgeSoup CollectBoundary(
+  const DelaunayComplex& complex, const std::vector<Side>& labels, const Execution& execution)
 {
   HalfEdgeSoup soup;
   std::vector<int> facets;                                  // 4 * tetrahedron + facet
@@ -87,47 +87,48 @@ HalfEdgeSoup CollectBoundary(const DelaunayComplex& complex, const std::vector<S
     }
   }
   soup.Twins.resize(soup.Corners.size());
-  for (int corner = 0; corner < static_cast<int>(soup.Corners.size()); ++corner)
-  {
-    const int facet = facets[corner / 3];
-    const int u = soup.Corners[corner];
-    const int v = soup.Corners[NextCorner(corner)];
-    const int twin = 3 * triangleOf[TurnAroundEdge(complex, labels, facet / 4, facet % 4, u, v)];
-    const int* ids = &soup.Corners[twin];
-    soup.Twins[corner] = twin + (ids[0] == v ? 0 : (ids[1] == v ? 1 : 2));
-  }
+  execution.ForEach(static_cast<std::int64_t>(soup.Corners.size()),
+    [&](std::int64_t corner)
+    {
+      const int facet = facets[corner / 3];
+      const int u = soup.Corners[corner];
+      const int v = soup.Corners[NextCorner(static_cast<int>(corner))];
+      const int twin = 3 * triangleOf[TurnAroundEdge(complex, labels, facet / 4, facet % 4, u, v)];
+      const int* ids = &soup.Corners[twin];
+      soup.Twins[corner] = twin + (ids[0] == v ? 0 : (ids[1] == v ? 1 : 2));
+    });
   return soup;
 }
 
 /** Numbers the points, one per fan of triangles, ordered by sample and then by first triangle. */
 void NumberPoints(const DelaunayComplex& complex, HalfEdgeSoup& soup, CrustSurface& surface)
 {
-  const int count = static_cast<int>(soup.Corners.size());
-  DisjointSets fans(count);
-  for (int corner = 0; corner < count; ++corner)
+  std::vector<int> fanOf(soup.Corners.size(), -1); // of each corner
+  std::vector<std::pair<int, int>> fans;           // sample, number in the order of first corners
+  for (int first = 0; first < static_cast<int>(soup.Corners.size()); ++first)
   {
-    fans.Unite(corner, NextCorner(soup.Twins[corner]));
-  }
-  std::vector<std::pair<int, int>> points; // sample, first corner of the fan
-  for (int corner = 0; corner < count; ++corner)
-  {
-    if (fans.Find(corner) == corner)
+    if (fanOf[first] < 0)
     {
-      points.emplace_back(soup.Corners[corner], corner);
+      const int fan = static_cast<int>(fans.size());
+      fans.emplace_back(soup.Corners[first], fan);
+      for (int corner = first; fanOf[corner] < 0; corner = NextCorner(soup.Twins[corner]))
+      {
+        fanOf[corner] = fan;
+      }
     }
   }
-  std::sort(points.begin(), points.end());
-  std::vector<int> idOfFan(soup.Corners.size(), -1);
-  for (std::size_t i = 0; i < points.size(); ++i)
+  std::sort(fans.begin(), fans.end());
+  std::vector<int> pointOf(fans.size()); // of each fan
+  for (std::size_t i = 0; i < fans.size(); ++i)
   {
-    idOfFan[points[i].second] = static_cast<int>(i);
-    surface.Mesh.Points.push_back(complex.Points[points[i].first]);
-    surface.PointSources.push_back(points[i].first);
-    surface.SplitPoints += i > 0 && points[i].first == points[i - 1].first;
+    pointOf[fans[i].second] = static_cast<int>(i);
+    surface.Mesh.Points.push_back(complex.Points[fans[i].first]);
+    surface.PointSources.push_back(fans[i].first);
+    surface.SplitPoints += i > 0 && fans[i].first == fans[i - 1].first;
   }
-  for (int corner = 0; corner < count; ++corner)
+  for (std::size_t corner = 0; corner < fanOf.size(); ++corner)
   {
-    soup.Corners[corner] = idOfFan[fans.Find(corner)];
+    soup.Corners[corner] = pointOf[fanOf[corner]];
   }
 }
 
@@ -158,20 +159,38 @@ void CutEdge(HalfEdgeSoup& soup, int corner, int midPoint)
   soup.Twins[fresh[0]] = sides[1];
 }
 
+/** Low end, high end and half-edge from low to high of every edge, in ascending order. */
+std::vector<std::array<int, 3>> SortedEdges(const HalfEdgeSoup& soup, std::size_t numberOfPoints)
+{
+  const int count = static_cast<int>(soup.Corners.size());
+  auto isUp = [&](int corner) { return soup.Corners[corner] < soup.Corners[NextCorner(corner)]; };
+  std::vector<int> start(numberOfPoints + 1, 0); // of the edges with this low end
+  for (int corner = 0; corner < count; ++corner)
+  {
+    start[soup.Corners[corner] + 1] += isUp(corner);
+  }
+  std::partial_sum(start.begin(), start.end(), start.begin());
+  std::vector<std::array<int, 3>> edges(static_cast<std::size_t>(start.back()));
+  std::vector<int> next(start.begin(), start.end() - 1);
+  for (int corner = 0; corner < count; ++corner)
+  {
+    if (isUp(corner))
+    {
+      const int low = soup.Corners[corner];
+      edges[next[low]++] = { low, soup.Corners[NextCorner(corner)], corner };
+    }
+  }
+  for (std::size_t i = 0; i < numberOfPoints; ++i)
+  {
+    std::sort(edges.begin() + start[i], edges.begin() + start[i + 1]);
+  }
+  return edges;
+}
+
 /** Puts a midpoint on every edge but one of those with the same two ends. */
 void CutMultipleEdges(HalfEdgeSoup& soup, CrustSurface& surface)
 {
-  std::vector<std::array<int, 3>> edges; // low end, high end, half-edge from low to high
-  for (int corner = 0; corner < static_cast<int>(soup.Corners.size()); ++corner)
-  {
-    const int from = soup.Corners[corner];
-    const int to = soup.Corners[NextCorner(corner)];
-    if (from < to)
-    {
-      edges.push_back({ from, to, corner });
-    }
-  }
-  std::sort(edges.begin(), edges.end());
+  const std::vector<std::array<int, 3>> edges = SortedEdges(soup, surface.Mesh.Points.size());
   for (std::size_t i = 1; i < edges.size(); ++i)
   {
     const int low = edges[i][0];
@@ -274,10 +293,11 @@ void CollectRing(
 }
 }
 
-CrustSurface ExtractDelaunayCrust(const DelaunayComplex& complex, const std::vector<Side>& labels)
+CrustSurface ExtractDelaunayCrust(
+  const DelaunayComplex& complex, const std::vector<Side>& labels, const Execution& execution)
 {
   CrustSurface surface;
-  HalfEdgeSoup soup = CollectBoundary(complex, labels);
+  HalfEdgeSoup soup = CollectBoundary(complex, labels, execution);
   NumberPoints(complex, soup, surface);
   CutMultipleEdges(soup, surface);
   surface.Mesh.Triangles.reserve(soup.Corners.size() / 3);

@@ -24,7 +24,8 @@ struct CrustSurface
  * tetrahedra lies between them; a point with several fans of facets is doubled, one point per fan;
  * an edge that more than one pair of facets still shares gets a midpoint for each further pair.
  */
-CrustSurface ExtractDelaunayCrust(const DelaunayComplex& complex, const std::vector<Side>& labels);
+CrustSurface ExtractDelaunayCrust(
+  const DelaunayComplex& complex, const std::vector<Side>& labels, const Execution& execution = {});
 
 /**
  * The faces of the power diagram between inside and outside cells, each a convex polygon cut into

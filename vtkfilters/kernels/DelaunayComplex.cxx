@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 
 namespace novelview
@@ -147,7 +148,12 @@ std::vector<std::size_t> DistinctSamples(
   return ids;
 }
 
-/** Inserts the samples along a space-filling curve, then the corners. Returns the duplicates. */
+/**
+ * Inserts the corners, then the samples along a space-filling curve. Returns the duplicates.
+ *
+ * The corners come first because all samples are then inside the convex hull from the start, whose
+ * facets between nearly coplanar samples cost as much as all the rest.
+ */
 int InsertPoints(const std::vector<Eigen::Vector3d>& points, int numberOfSamples,
   const Execution& execution, Triangulation& triangulation)
 {
@@ -162,12 +168,13 @@ int InsertPoints(const std::vector<Eigen::Vector3d>& points, int numberOfSamples
   using Map = CGAL::Pointer_property_map<Kernel::Point_3>::type;
   CGAL::spatial_sort(order.begin(), order.end(),
     CGAL::Spatial_sort_traits_adapter_3<Kernel, Map>(CGAL::make_property_map(kernelPoints)));
-  for (std::size_t i = static_cast<std::size_t>(numberOfSamples); i < points.size(); ++i)
-  {
-    order.push_back(i);
-  }
 
   Triangulation::Vertex_handle hint;
+  for (std::size_t i = static_cast<std::size_t>(numberOfSamples); i < points.size(); ++i)
+  {
+    hint = triangulation.insert(kernelPoints[i], hint);
+    hint->info().Value = static_cast<int>(i);
+  }
   constexpr std::size_t reportEvery = 1 << 14;
   for (std::size_t i = 0; i < order.size(); ++i)
   {
@@ -181,31 +188,85 @@ int InsertPoints(const std::vector<Eigen::Vector3d>& points, int numberOfSamples
   return duplicates;
 }
 
-void ExportTets(Triangulation& triangulation, DelaunayComplex& complex)
+/** The vertices of a cell, an even permutation of its own that starts with the lowest two it can. */
+std::array<int, 4> OrderedVertices(Triangulation::Cell_handle cell)
 {
-  const std::size_t expected = triangulation.number_of_vertices() * 7;
-  complex.Tets.reserve(expected);
-  int count = 0;
+  std::array<int, 4> tet;
+  for (int i = 0; i < 4; ++i)
+  {
+    tet[i] = cell->vertex(i)->info().Value;
+  }
+  // Two swaps, or a turn of three, keep the orientation.
+  const auto lowest = std::min_element(tet.begin(), tet.end()) - tet.begin();
+  if (lowest > 0)
+  {
+    std::swap(tet[0], tet[lowest]);
+    std::swap(tet[lowest % 3 + 1], tet[(lowest + 1) % 3 + 1]);
+  }
+  std::rotate(tet.begin() + 1, std::min_element(tet.begin() + 1, tet.end()), tet.end());
+  return tet;
+}
+
+/** A cell with its vertices. */
+struct NamedCell
+{
+  std::array<int, 4> Tet;
+  Triangulation::Cell_handle Cell;
+};
+
+/** The finite cells in ascending order of their vertices. */
+std::vector<NamedCell> SortedCells(
+  const Triangulation& triangulation, std::size_t numberOfPoints, const Execution& execution)
+{
+  std::vector<NamedCell> cells;
+  cells.reserve(triangulation.number_of_vertices() * 7);
+  std::vector<int> start(numberOfPoints + 1, 0); // of the cells with this lowest vertex
   for (Triangulation::Cell_handle cell : triangulation.finite_cell_handles())
   {
-    cell->info().Value = count++;
-    std::array<int, 4> tet;
-    for (int i = 0; i < 4; ++i)
-    {
-      tet[i] = cell->vertex(i)->info().Value;
-    }
-    complex.Tets.push_back(tet);
+    cells.push_back({ OrderedVertices(cell), cell });
+    ++start[cells.back().Tet[0] + 1];
   }
-  complex.Neighbors.reserve(complex.Tets.size());
-  for (Triangulation::Cell_handle cell : triangulation.finite_cell_handles())
+  std::partial_sum(start.begin(), start.end(), start.begin());
+  std::vector<int> next(start.begin(), start.end() - 1);
+  std::vector<NamedCell> sorted(cells.size());
+  for (const NamedCell& cell : cells)
   {
-    std::array<int, 4> neighbors;
-    for (int i = 0; i < 4; ++i)
-    {
-      neighbors[i] = cell->neighbor(i)->info().Value; // -1 for infinite cells
-    }
-    complex.Neighbors.push_back(neighbors);
+    sorted[next[cell.Tet[0]]++] = cell;
   }
+  execution.ForEach(static_cast<std::int64_t>(numberOfPoints),
+    [&](std::int64_t ptId)
+    {
+      std::sort(sorted.begin() + start[ptId], sorted.begin() + start[ptId + 1],
+        [](const NamedCell& a, const NamedCell& b) { return a.Tet < b.Tet; });
+    });
+  return sorted;
+}
+
+void ExportTets(
+  const Triangulation& triangulation, const Execution& execution, DelaunayComplex& complex)
+{
+  const std::vector<NamedCell> cells = SortedCells(triangulation, complex.Points.size(), execution);
+  complex.Tets.resize(cells.size());
+  complex.Neighbors.resize(cells.size());
+  execution.ForEach(complex.NumberOfTets(),
+    [&](std::int64_t tet)
+    {
+      complex.Tets[tet] = cells[tet].Tet;
+      cells[tet].Cell->info().Value = static_cast<int>(tet);
+    });
+  execution.ForEach(complex.NumberOfTets(),
+    [&](std::int64_t tet)
+    {
+      const Triangulation::Cell_handle cell = cells[tet].Cell;
+      for (int i = 0; i < 4; ++i)
+      {
+        const int ptId = cell->vertex(i)->info().Value;
+        const auto& t = complex.Tets[tet];
+        // -1 for infinite cells
+        complex.Neighbors[tet][std::find(t.begin(), t.end(), ptId) - t.begin()] =
+          cell->neighbor(i)->info().Value;
+      }
+    });
 }
 
 /** Circumcentre of the triangle a, b, c. */
@@ -289,7 +350,7 @@ DelaunayComplex BuildDelaunayComplex(
   Triangulation triangulation;
   complex.NumberOfDuplicates =
     InsertPoints(complex.Points, complex.NumberOfSamples, execution, triangulation);
-  ExportTets(triangulation, complex);
+  ExportTets(triangulation, execution, complex);
   complex.Centres.resize(complex.Tets.size());
   complex.Radii.resize(complex.Tets.size());
   execution.ForEach(complex.NumberOfTets(),

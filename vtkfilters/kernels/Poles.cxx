@@ -13,23 +13,37 @@ namespace
 /** Circumspheres that differ by less than this part of their radius are one. */
 constexpr double SameSphereTolerance = 1e-7;
 
-/** Per tetrahedron the lowest one with the same circumsphere that facets connect it to. */
-std::vector<int> MergeCospherical(const DelaunayComplex& complex)
+bool AreCospherical(const DelaunayComplex& complex, int tetA, int tetB)
 {
+  const double tolerance = SameSphereTolerance * complex.Radii[tetA];
+  return (complex.Centres[tetA] - complex.Centres[tetB]).squaredNorm() < tolerance * tolerance;
+}
+
+/** Per tetrahedron the lowest one with the same circumsphere that facets connect it to. */
+std::vector<int> MergeCospherical(const DelaunayComplex& complex, const Execution& execution)
+{
+  std::vector<char> same(complex.Tets.size(), 0); // a bit per facet
+  execution.ForEach(complex.NumberOfTets(),
+    [&](std::int64_t tet)
+    {
+      for (int k = 0; k < 4; ++k)
+      {
+        const int other = complex.Neighbors[tet][k];
+        same[tet] |= (other > tet && AreCospherical(complex, static_cast<int>(tet), other)) << k;
+      }
+    });
   DisjointSets sets(complex.NumberOfTets());
   for (int tet = 0; tet < complex.NumberOfTets(); ++tet)
   {
-    for (int other : complex.Neighbors[tet])
+    for (int k = 0; same[tet] >> k; ++k)
     {
-      const double tolerance = SameSphereTolerance * complex.Radii[tet];
-      if (other > tet &&
-        (complex.Centres[tet] - complex.Centres[other]).squaredNorm() < tolerance * tolerance)
+      if (same[tet] >> k & 1)
       {
-        sets.Unite(tet, other);
+        sets.Unite(tet, complex.Neighbors[tet][k]);
       }
     }
   }
-  std::vector<int> roots(static_cast<std::size_t>(complex.NumberOfTets()));
+  std::vector<int> roots(complex.Tets.size());
   for (int tet = 0; tet < complex.NumberOfTets(); ++tet)
   {
     roots[tet] = sets.Find(tet);
@@ -94,18 +108,9 @@ std::array<int, 2> PolesOfSample(const DelaunayComplex& complex, int sample)
 }
 }
 
-double BallAgreement(
-  const Eigen::Vector3d& centreA, double radiusA, const Eigen::Vector3d& centreB, double radiusB)
-{
-  const double cosine =
-    (radiusA * radiusA + radiusB * radiusB - (centreA - centreB).squaredNorm()) /
-    (2 * radiusA * radiusB);
-  return std::clamp(cosine, -1.0, 1.0);
-}
-
 Poles FindPoles(const DelaunayComplex& complex, bool allCertain, const Execution& execution)
 {
-  const std::vector<int> roots = MergeCospherical(complex);
+  const std::vector<int> roots = MergeCospherical(complex, execution);
   Poles poles;
   poles.OfSample.resize(static_cast<std::size_t>(complex.NumberOfSamples));
   execution.ForEach(complex.NumberOfSamples,

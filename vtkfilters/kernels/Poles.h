@@ -5,6 +5,8 @@
 #include "DelaunayComplex.h"
 #include "PowerDiagram.h"
 
+#include <algorithm>
+
 namespace novelview
 {
 /** On which side of the surface a ball or a tetrahedron is. */
@@ -42,8 +44,14 @@ Poles FindPoles(const DelaunayComplex& complex, bool allCertain, const Execution
  * The cos of the angle between the radii of two balls at a point where their boundaries meet:
  * 1 = the same ball, -1 = touching from outside. Clamped to [-1, 1].
  */
-double BallAgreement(
-  const Eigen::Vector3d& centreA, double radiusA, const Eigen::Vector3d& centreB, double radiusB);
+inline double BallAgreement(
+  const Eigen::Vector3d& centreA, double radiusA, const Eigen::Vector3d& centreB, double radiusB)
+{
+  const double cosine =
+    (radiusA * radiusA + radiusB * radiusB - (centreA - centreB).squaredNorm()) /
+    (2 * radiusA * radiusB);
+  return std::clamp(cosine, -1.0, 1.0);
+}
 }
 
 #endif

@@ -46,7 +46,7 @@ void MakeDelaunayCrust(const DelaunayComplex& complex, const PowerCrustOptions& 
   std::vector<Side>& labels, const Execution& execution, PowerCrustResult& result)
 {
   result.RemovedPieces = RemoveSmallPieces(complex, options.MinimumPieceSamples, labels);
-  MakeManifold(complex, labels);
+  MakeManifold(complex, labels, execution);
   execution.Report(0.9);
   if (options.RecoverSamples)
   {
@@ -54,7 +54,7 @@ void MakeDelaunayCrust(const DelaunayComplex& complex, const PowerCrustOptions& 
   }
   // The repair can cut off crumbs of its own.
   result.RemovedPieces += RemoveSmallPieces(complex, options.MinimumPieceSamples, labels);
-  CrustSurface surface = ExtractDelaunayCrust(complex, labels);
+  CrustSurface surface = ExtractDelaunayCrust(complex, labels, execution);
   result.Mesh = std::move(surface.Mesh);
   result.PointSources = std::move(surface.PointSources);
   result.SplitPoints = surface.SplitPoints;
@@ -90,7 +90,7 @@ PowerCrustResult ComputePowerCrust(const std::vector<Eigen::Vector3d>& points,
   }
   const DelaunayComplex complex = BuildDelaunayComplex(points, execution);
   const Poles poles = FindPoles(complex, options.Output == CrustOutput::PowerCrust, execution);
-  std::vector<Side> tetLabels = LabelTets(complex, poles.OfSample, normals);
+  std::vector<Side> tetLabels = LabelTets(complex, poles.OfSample, normals, execution);
   execution.Report(0.8);
 
   PowerCrustResult result;

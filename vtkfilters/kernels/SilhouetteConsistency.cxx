@@ -4,6 +4,7 @@
 #include "Error.h"
 #include "Quantile.h"
 #include "SearchBox.h"
+#include "SilhouetteField.h"
 #include "ViewSelection.h"
 
 #include <algorithm>
@@ -35,6 +36,7 @@ public:
   RayFollower(const std::vector<View>& views, const std::vector<double>& offsets,
     const Eigen::AlignedBox3d& box)
     : Views(views)
+    , Contours(views.begin(), views.end())
     , Offsets(offsets)
     , Centre(box.center())
     , Reach(0.5 * box.diagonal().norm())
@@ -49,47 +51,61 @@ public:
     const Vector3d origin = camera.Centre();
     const Vector3d direction = camera.Unproject(pixel, 1) - origin;
     const double middle = camera.Depth(this->Centre);
+    const double start = std::max(middle - this->Reach, this->Step);
+    const int count = static_cast<int>((middle + this->Reach - start) / this->Step) + 1;
     Blame best{ -1, -None };
-    for (double t = std::max(middle - this->Reach, this->Step); t <= middle + this->Reach;
-         t += this->Step)
+    int asked = 0; // the view that spoke against the last point may well speak against the next
+    // A look every now and then first: the better the best, the more can be skipped.
+    for (const int stride : { CoarseStride, 1 })
     {
-      const Blame least = this->LeastInside(viewId, origin + t * direction);
-      if (least.View >= 0 && least.Excess > best.Excess)
+      for (int i = 0; i < count;)
       {
-        best = least;
+        const Vector3d x = origin + (start + i * this->Step) * direction;
+        const double hopeless = this->Probe(viewId, x, asked, best);
+        const int skipped = static_cast<int>(hopeless / (this->Step * direction.norm()));
+        i += std::max(stride, std::min(skipped, count));
       }
     }
     return best.View >= 0 ? std::optional(best) : std::nullopt;
   }
 
 private:
-  /** The least distance inside the contours of all views but one; and whose it is. */
-  Blame LeastInside(int except, const Vector3d& x) const
+  static constexpr int CoarseStride = 16;
+
+  /**
+   * Takes the least distance inside the contours of all views but one, and whose it is, for `best`
+   * if it is more. Otherwise returns the radius around x within which no point is better either.
+   */
+  double Probe(int except, const Vector3d& x, int& asked, Blame& best) const
   {
     Blame least{ -1, None };
-    for (int k = 0; k < static_cast<int>(this->Views.size()); ++k)
+    const int count = static_cast<int>(this->Contours.size());
+    for (int i = 0; i < count; ++i)
     {
-      const Camera& camera = this->Views[k].Cam;
-      if (k == except || camera.Depth(x) <= 0)
+      const int k = (asked + i) % count;
+      const ContourView& contour = this->Contours[k];
+      const ContourView::Pixel pixel = contour.Project(x);
+      if (k == except || pixel.Depth <= 0 || pixel.Inside < 0)
       {
         continue;
       }
-      const Vector2d u = camera.Project(x);
-      const ImageRef<const float>& contour = this->Views[k].ContourDistance;
-      if (contour.Contains(
-            static_cast<int>(std::floor(u.x() + 0.5)), static_cast<int>(std::floor(u.y() + 0.5))))
+      const double inside = contour.DistanceAt(pixel) + this->Offsets[k];
+      if (inside <= best.Excess)
       {
-        const double inside = SampleBilinear(contour, u.x(), u.y()) + this->Offsets[k];
-        if (inside < least.Excess)
-        {
-          least = { k, inside };
-        }
+        asked = k;
+        return contour.RadiusFor(std::min(best.Excess - inside, pixel.Inside), pixel.Depth);
+      }
+      if (inside < least.Excess)
+      {
+        least = { k, inside };
       }
     }
-    return least;
+    best = least.View >= 0 ? least : best;
+    return 0;
   }
 
   const std::vector<View>& Views;
+  const std::vector<ContourView> Contours;
   const std::vector<double>& Offsets;
   const Vector3d Centre;
   const double Reach;

@@ -6,30 +6,68 @@
 
 namespace novelview
 {
-namespace
+ContourView::ContourView(const View& view)
 {
-/** Distance (px) of a pixel position to the frame's border, positive inside. */
-double DistanceToFrame(const ImageRef<const float>& image, double x, double y)
-{
-  return std::min({ x + 0.5, y + 0.5, image.Width - 0.5 - x, image.Height - 0.5 - y });
-}
+  this->P.leftCols<3>() = view.Cam.K * view.Cam.R;
+  this->P.col(3) = view.Cam.K * view.Cam.T;
+  this->Focal = view.Cam.FocalLength();
+  const double w = std::max(view.Cam.K(0, 2), view.Cam.Width - view.Cam.K(0, 2));
+  const double h = std::max(view.Cam.K(1, 2), view.Cam.Height - view.Cam.K(1, 2));
+  this->Stretch = std::hypot(1.0, std::hypot(w, h) / this->Focal);
+  this->Distance = view.ContourDistance;
 }
 
 SilhouetteField::SilhouetteField(const std::vector<View>& views)
+  : Views(views.begin(), views.end())
 {
-  this->Projectors.reserve(views.size());
-  for (const View& view : views)
+}
+
+void SilhouetteField::RestrictTo(
+  const Eigen::Vector3d& centre, double radius, SilhouetteField& field) const
+{
+  field.Views.clear();
+  std::vector<double> low; // per view kept, the least it may say in the ball
+  double high = std::numeric_limits<double>::infinity(); // f is nowhere more in the ball
+  for (const ContourView& view : this->Views)
   {
-    Projector projector;
-    projector.P.leftCols<3>() = view.Cam.K * view.Cam.R;
-    projector.P.col(3) = view.Cam.K * view.Cam.T;
-    projector.Focal = view.Cam.FocalLength();
-    const double w = std::max(view.Cam.K(0, 2), view.Cam.Width - view.Cam.K(0, 2));
-    const double h = std::max(view.Cam.K(1, 2), view.Cam.Height - view.Cam.K(1, 2));
-    projector.Stretch = std::hypot(1.0, std::hypot(w, h) / projector.Focal);
-    projector.Distance = view.ContourDistance;
-    this->Projectors.push_back(projector);
+    const ContourView::Pixel pixel = view.Project(centre);
+    if (pixel.Depth <= -radius)
+    {
+      continue;
+    }
+    double lowest = -std::numeric_limits<double>::infinity();
+    if (pixel.Depth > radius)
+    {
+      const double radiusPx = view.RadiusPx(radius, pixel.Depth);
+      if (pixel.Inside < -radiusPx)
+      {
+        continue;
+      }
+      // A length is a distance times a depth: which end of the depths is the extreme one depends
+      // on the sign.
+      const double distance = view.DistanceAt(pixel);
+      const auto length = [&](double px, double depth) { return px * depth / view.Focal; };
+      const double nearest = pixel.Depth - radius;
+      const double farthest = pixel.Depth + radius;
+      lowest = length(distance - radiusPx, distance > radiusPx ? nearest : farthest);
+      if (pixel.Inside > radiusPx)
+      {
+        high =
+          std::min(high, length(distance + radiusPx, distance > -radiusPx ? farthest : nearest));
+      }
+    }
+    low.push_back(lowest);
+    field.Views.push_back(view);
   }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < low.size(); ++i)
+  {
+    if (low[i] <= high)
+    {
+      field.Views[kept++] = field.Views[i];
+    }
+  }
+  field.Views.erase(field.Views.begin() + static_cast<std::ptrdiff_t>(kept), field.Views.end());
 }
 
 double SilhouetteField::Value(const Eigen::Vector3d& x) const
@@ -42,21 +80,15 @@ double SilhouetteField::Value(const Eigen::Vector3d& x, int& decidingView) const
 {
   double least = std::numeric_limits<double>::infinity();
   decidingView = -1;
-  for (std::size_t viewId = 0; viewId < this->Projectors.size(); ++viewId)
+  for (std::size_t viewId = 0; viewId < this->Views.size(); ++viewId)
   {
-    const Projector& view = this->Projectors[viewId];
-    const Eigen::Vector3d p = view.P.leftCols<3>() * x + view.P.col(3);
-    if (p.z() <= 0)
+    const ContourView& view = this->Views[viewId];
+    const ContourView::Pixel pixel = view.Project(x);
+    if (pixel.Depth <= 0 || pixel.Inside < 0)
     {
       continue;
     }
-    const double u = p.x() / p.z();
-    const double v = p.y() / p.z();
-    if (DistanceToFrame(view.Distance, u, v) < 0)
-    {
-      continue;
-    }
-    const double length = SampleBilinear(view.Distance, u, v) * p.z() / view.Focal;
+    const double length = view.DistanceAt(pixel) * pixel.Depth / view.Focal;
     if (length < least)
     {
       least = length;
@@ -82,30 +114,26 @@ SilhouetteField::Position SilhouetteField::Classify(
 {
   bool seen = false;
   bool mixed = false;
-  for (const Projector& view : this->Projectors)
+  for (const ContourView& view : this->Views)
   {
-    const Eigen::Vector3d p = view.P.leftCols<3>() * centre + view.P.col(3);
-    if (p.z() <= radius)
+    const ContourView::Pixel pixel = view.Project(centre);
+    if (pixel.Depth <= radius)
     {
-      mixed = mixed || p.z() > -radius;
+      mixed = mixed || pixel.Depth > -radius;
       continue;
     }
-    // One pixel more than the ball's own, for what bilinear sampling may be off by.
-    const double radiusPx = view.Stretch * radius * view.Focal / (p.z() - radius) + 1;
-    const double u = p.x() / p.z();
-    const double v = p.y() / p.z();
-    const double toFrame = DistanceToFrame(view.Distance, u, v);
-    if (toFrame < -radiusPx)
+    const double radiusPx = view.RadiusPx(radius, pixel.Depth);
+    if (pixel.Inside < -radiusPx)
     {
       continue;
     }
     seen = true;
-    if (toFrame < radiusPx)
+    if (pixel.Inside < radiusPx)
     {
       mixed = true;
       continue;
     }
-    const double distance = SampleBilinear(view.Distance, u, v);
+    const double distance = view.DistanceAt(pixel);
     if (distance < -radiusPx)
     {
       return Position::Outside;

@@ -6,11 +6,66 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
 namespace novelview
 {
+/**
+ * A view as a map from space to the distance to its contour. It sees what is in front of its camera
+ * and inside its frame.
+ *
+ * Distances in the picture grow by at most a pixel per pixel that one moves in it, and bilinear
+ * sampling is off by up to another: all bounds here include that.
+ */
+struct ContourView
+{
+  explicit ContourView(const View& view);
+
+  /** Where a point is in the picture. */
+  struct Pixel
+  {
+    double X;
+    double Y;
+    double Depth; ///< of the point, world units; nothing else means anything when it is not above 0
+    double Inside; ///< distance to the frame's border, pixels, positive inside the frame
+  };
+  Pixel Project(const Eigen::Vector3d& x) const
+  {
+    const Eigen::Vector3d p = this->P.leftCols<3>() * x + this->P.col(3);
+    const double u = p.x() / p.z();
+    const double v = p.y() / p.z();
+    return { u, v, p.z(),
+      std::min(
+        { u + 0.5, v + 0.5, this->Distance.Width - 0.5 - u, this->Distance.Height - 0.5 - v }) };
+  }
+
+  /** The contour distance at a pixel, the nearest one of the frame when it is outside. */
+  double DistanceAt(const Pixel& pixel) const
+  {
+    return SampleBilinear(this->Distance, pixel.X, pixel.Y);
+  }
+
+  /** How far a ball reaches in the picture from its centre's pixel; its depth is above its radius. */
+  double RadiusPx(double radius, double depth) const
+  {
+    return this->Stretch * radius * this->Focal / (depth - radius) + 1;
+  }
+
+  /** The inverse: the radius of the largest ball that reaches no further than this; or 0. */
+  double RadiusFor(double radiusPx, double depth) const
+  {
+    const double px = std::max(radiusPx - 1, 0.0);
+    return px * depth / (this->Stretch * this->Focal + px);
+  }
+
+  Eigen::Matrix<double, 3, 4> P;
+  double Focal;
+  double Stretch; ///< largest 1/cos of a pixel's angle to the optical axis
+  ImageRef<const float> Distance;
+};
+
 /**
  * The visual hull as a field over space:
  *
@@ -25,7 +80,14 @@ namespace novelview
 class SilhouetteField
 {
 public:
+  SilhouetteField() = default;
   explicit SilhouetteField(const std::vector<View>& views);
+
+  /**
+   * Makes `field` the one of those views alone that can decide somewhere in a ball: it has the same
+   * values there, and its view ids mean nothing.
+   */
+  void RestrictTo(const Eigen::Vector3d& centre, double radius, SilhouetteField& field) const;
 
   /** f(x); minus infinity where no view sees x. */
   double Value(const Eigen::Vector3d& x) const;
@@ -46,14 +108,7 @@ public:
   Position Classify(const Eigen::Vector3d& centre, double radius) const;
 
 private:
-  struct Projector
-  {
-    Eigen::Matrix<double, 3, 4> P;
-    double Focal;
-    double Stretch; ///< largest 1/cos of a pixel's angle to the optical axis
-    ImageRef<const float> Distance;
-  };
-  std::vector<Projector> Projectors;
+  std::vector<ContourView> Views;
 };
 }
 

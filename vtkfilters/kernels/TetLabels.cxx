@@ -8,8 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
-#include <limits>
-#include <queue>
+#include <numeric>
 #include <utility>
 
 namespace novelview
@@ -24,70 +23,152 @@ Side Opposite(Side side)
   return side == Side::Inside ? Side::Outside : Side::Inside;
 }
 
+double Agreement(const DelaunayComplex& complex, int tetA, int tetB)
+{
+  return BallAgreement(
+    complex.Centres[tetA], complex.Radii[tetA], complex.Centres[tetB], complex.Radii[tetB]);
+}
+
+//------------------------------------------------------------------------------
+/** Per sample the points it shares a Delaunay edge with: Points[Start[s]] .. Points[Start[s + 1]]. */
+struct EdgeLists
+{
+  std::vector<int> Start;
+  std::vector<int> Points;
+};
+
+EdgeLists CollectEdges(const DelaunayComplex& complex, const Execution& execution)
+{
+  // The far corners surround every sample, so its link is a sphere of t triangles: Euler says that
+  // this has t / 2 + 2 points.
+  EdgeLists edges;
+  edges.Start.assign(static_cast<std::size_t>(complex.NumberOfSamples) + 1, 0);
+  for (int s = 0; s < complex.NumberOfSamples; ++s)
+  {
+    const int triangles = complex.IncidenceStart[s + 1] - complex.IncidenceStart[s];
+    edges.Start[s + 1] = edges.Start[s] + (triangles > 0 ? triangles / 2 + 2 : 0);
+  }
+  edges.Points.resize(static_cast<std::size_t>(edges.Start.back()));
+  execution.ParallelFor(complex.NumberOfSamples,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      std::vector<int> seenBy(complex.Points.size(), -1);
+      for (int s = static_cast<int>(begin); s < end; ++s)
+      {
+        seenBy[s] = s;
+        int next = edges.Start[s];
+        for (int i = complex.IncidenceStart[s]; i < complex.IncidenceStart[s + 1]; ++i)
+        {
+          for (int other : complex.Tets[complex.Incidence[i]])
+          {
+            if (seenBy[other] != s)
+            {
+              seenBy[other] = s;
+              edges.Points[next++] = other;
+            }
+          }
+        }
+      }
+    });
+  return edges;
+}
+
 //------------------------------------------------------------------------------
 /** Collects evidence for both sides of every pole and labels the most certain first. */
 class Labeller
 {
 public:
-  Labeller(const DelaunayComplex& complex, const std::vector<std::array<int, 2>>& polesOfSample)
+  Labeller(const DelaunayComplex& complex, const std::vector<std::array<int, 2>>& polesOfSample,
+    const Execution& execution)
     : Complex(complex)
     , PolesOfSample(polesOfSample)
-    , Labels(complex.Tets.size(), Side::Unknown)
-    , Evidence(complex.Tets.size(), { 0, 0 })
-    , Support(complex.Tets.size(), { 0, 0 })
-    , Visited(polesOfSample.size(), -1)
+    , Edges(CollectEdges(complex, execution))
+    , Poles(complex.Tets.size())
+    , ToldBy(complex.Points.size(), -1)
+    , Queue(Levels)
   {
   }
 
   void AddEvidence(int tet, Side side, double amount)
   {
-    if (this->Labels[tet] != Side::Unknown || !(amount > 0))
+    Pole& pole = this->Poles[tet];
+    if (pole.Label != Side::Unknown || !(amount > 0))
     {
       return;
     }
-    this->Support[tet][side == Side::Outside] += amount * amount * amount;
-    double& old = this->Evidence[tet][side == Side::Outside];
+    pole.Support[side == Side::Outside] += amount * amount * amount;
+    double& old = pole.Evidence[side == Side::Outside];
     if (amount > old)
     {
       old = amount;
-      this->Queue.push({ this->Priority(tet), tet });
+      this->Enqueue(tet);
     }
   }
 
   std::vector<Side> Run()
   {
-    while (!this->Queue.empty())
+    while (this->Highest >= 0)
     {
-      const Entry entry = this->Queue.top();
-      this->Queue.pop();
-      if (this->Labels[entry.Tet] == Side::Unknown && entry.Priority == this->Priority(entry.Tet))
+      std::vector<int>& level = this->Queue[this->Highest];
+      if (level.empty())
       {
-        const std::array<double, 2>& support = this->Support[entry.Tet];
-        const bool inside = support[0] > support[1] && !this->Complex.TouchesCorner(entry.Tet);
-        this->Labels[entry.Tet] = inside ? Side::Inside : Side::Outside;
-        this->TellOppositePoles(entry.Tet);
-        this->TellNeighbors(entry.Tet);
+        --this->Highest;
+        continue;
       }
+      const int tet = level.back();
+      level.pop_back();
+      Pole& pole = this->Poles[tet];
+      if (pole.Label != Side::Unknown || pole.Queued != this->Highest)
+      {
+        continue;
+      }
+      if (pole.Level() < this->Highest) // it has heard the contrary since
+      {
+        pole.Queued = -1;
+        this->Enqueue(tet);
+        continue;
+      }
+      const bool inside = pole.Support[0] > pole.Support[1] && !this->Complex.TouchesCorner(tet);
+      pole.Label = inside ? Side::Inside : Side::Outside;
+      this->TellOppositePoles(tet);
+      this->TellNeighbors(tet);
     }
-    return std::move(this->Labels);
+    std::vector<Side> labels(this->Poles.size());
+    std::transform(this->Poles.begin(), this->Poles.end(), labels.begin(),
+      [](const Pole& pole) { return pole.Label; });
+    return labels;
   }
 
 private:
-  struct Entry
+  /** Priorities, from -1 to 1, are told apart to this part of their range. */
+  static constexpr int Levels = 1 << 12;
+
+  struct Pole
   {
-    double Priority;
-    int Tet;
-    bool operator<(const Entry& other) const
+    double Evidence[2] = { 0, 0 }; ///< inside, outside: the strongest
+    double Support[2] = { 0, 0 };  ///< inside, outside: sum of the cubes of all
+    int Queued = -1;               ///< highest level in the queue
+    Side Label = Side::Unknown;
+
+    int Level() const
     {
-      return this->Priority != other.Priority ? this->Priority < other.Priority
-                                              : this->Tet > other.Tet;
+      const auto [in, out] = this->Evidence;
+      const double priority = in > 0 && out > 0 ? std::abs(in - out) - 1 : std::max(in, out);
+      return static_cast<int>(0.5 * (priority + 1) * (Levels - 1));
     }
   };
 
-  double Priority(int tet) const
+  /** A pole in the queue at a higher level than its own is found out when it comes up. */
+  void Enqueue(int tet)
   {
-    const auto [in, out] = this->Evidence[tet];
-    return in > 0 && out > 0 ? std::abs(in - out) - 1 : std::max(in, out);
+    Pole& pole = this->Poles[tet];
+    const int level = pole.Level();
+    if (level > pole.Queued)
+    {
+      pole.Queued = level;
+      this->Queue[level].push_back(tet);
+      this->Highest = std::max(this->Highest, level);
+    }
   }
 
   void TellOppositePoles(int tet)
@@ -105,7 +186,8 @@ private:
         const Eigen::Vector3d& p = this->Complex.Points[sample];
         const Eigen::Vector3d a = this->Complex.Centres[tet] - p;
         const Eigen::Vector3d b = this->Complex.Centres[other] - p;
-        this->AddEvidence(other, Opposite(this->Labels[tet]), -a.dot(b) / (a.norm() * b.norm()));
+        this->AddEvidence(
+          other, Opposite(this->Poles[tet].Label), -a.dot(b) / (a.norm() * b.norm()));
       }
     }
   }
@@ -120,16 +202,13 @@ private:
       {
         continue;
       }
-      const int end = this->Complex.IncidenceStart[sample + 1];
-      for (int i = this->Complex.IncidenceStart[sample]; i < end; ++i)
+      for (int i = this->Edges.Start[sample]; i < this->Edges.Start[sample + 1]; ++i)
       {
-        for (int other : this->Complex.Tets[this->Complex.Incidence[i]])
+        const int other = this->Edges.Points[i];
+        if (other < this->Complex.NumberOfSamples && this->ToldBy[other] != tet)
         {
-          if (other < this->Complex.NumberOfSamples && this->Visited[other] != tet)
-          {
-            this->Visited[other] = tet;
-            this->TellPoles(tet, this->PolesOfSample[other]);
-          }
+          this->ToldBy[other] = tet;
+          this->TellPoles(tet, this->PolesOfSample[other]);
         }
       }
     }
@@ -139,70 +218,108 @@ private:
   {
     for (int other : poles)
     {
-      if (other >= 0 && this->Labels[other] == Side::Unknown)
+      if (other >= 0 && this->Poles[other].Label == Side::Unknown)
       {
-        this->AddEvidence(other, this->Labels[tet],
-          BallAgreement(this->Complex.Centres[tet], this->Complex.Radii[tet],
-            this->Complex.Centres[other], this->Complex.Radii[other]));
+        this->AddEvidence(other, this->Poles[tet].Label, Agreement(this->Complex, tet, other));
       }
     }
   }
 
   const DelaunayComplex& Complex;
   const std::vector<std::array<int, 2>>& PolesOfSample;
-  std::vector<Side> Labels;
-  std::vector<std::array<double, 2>> Evidence; ///< inside, outside: the strongest
-  std::vector<std::array<double, 2>> Support;  ///< inside, outside: sum of the cubes of all
-  std::vector<int> Visited;                    ///< per sample the pole that told its poles last
-  std::priority_queue<Entry> Queue;
+  const EdgeLists Edges;
+  std::vector<Pole> Poles;             ///< per tetrahedron; most are no pole
+  std::vector<int> ToldBy;             ///< per sample the pole that told its poles last
+  std::vector<std::vector<int>> Queue; ///< per level the poles, the last one first
+  int Highest = -1;                    ///< no level above has a pole
 };
 
 //------------------------------------------------------------------------------
-/** A facet over which a label can spread, the strongest first. */
+/** A facet over which a label can spread. */
 struct Flow
 {
-  double Agreement;
-  int Tet;
-  Side Label;
-  bool operator<(const Flow& other) const
+  double Agreement = -2; ///< below any
+  int From = -1;         ///< the tetrahedron that may take the label; -1 = none
+  int To = -1;
+
+  /** A strict order of the facets, the same from both sides. */
+  bool StrongerThan(const Flow& other) const
   {
-    return this->Agreement != other.Agreement ? this->Agreement < other.Agreement
-                                              : this->Tet > other.Tet;
+    return this->Agreement != other.Agreement
+      ? this->Agreement > other.Agreement
+      : std::minmax(this->From, this->To) < std::minmax(other.From, other.To);
   }
 };
 
-/** Lets labels spread over facets to all that have none, deepest intersection of balls first. */
-void SpreadLabels(const DelaunayComplex& complex, std::vector<Side>& labels)
+/** The strongest facet by which a tetrahedron joins another region. */
+Flow StrongestFlow(const DelaunayComplex& complex, const std::vector<int>& regions, int tet)
 {
-  std::priority_queue<Flow> queue;
-  auto spread = [&](int tet)
+  Flow strongest;
+  for (int other : complex.Neighbors[tet])
   {
-    for (int other : complex.Neighbors[tet])
+    if (other >= 0 && regions[other] != regions[tet])
     {
-      if (other >= 0 && labels[other] == Side::Unknown)
-      {
-        queue.push({ BallAgreement(complex.Centres[tet], complex.Radii[tet], complex.Centres[other],
-                       complex.Radii[other]),
-          other, labels[tet] });
-      }
-    }
-  };
-  for (int tet = 0; tet < complex.NumberOfTets(); ++tet)
-  {
-    if (labels[tet] != Side::Unknown)
-    {
-      spread(tet);
+      const Flow flow{ Agreement(complex, tet, other), tet, other };
+      strongest = flow.StrongerThan(strongest) ? flow : strongest;
     }
   }
-  while (!queue.empty())
+  return strongest;
+}
+
+/**
+ * Lets labels spread over facets to all that have none, deepest intersection of balls first.
+ *
+ * That is the strongest spanning forest whose trees each hold one tetrahedron with a label
+ * (Boruvka): every region without one joins the region it is most strongly connected with.
+ */
+void SpreadLabels(
+  const DelaunayComplex& complex, std::vector<Side>& labels, const Execution& execution)
+{
+  DisjointSets sets(complex.NumberOfTets());
+  std::vector<int> regions(labels.size());
+  std::iota(regions.begin(), regions.end(), 0);
+  std::vector<int> open; // tetrahedra without a label
+  for (int tet = 0; tet < complex.NumberOfTets(); ++tet)
   {
-    const Flow flow = queue.top();
-    queue.pop();
-    if (labels[flow.Tet] == Side::Unknown)
+    if (labels[tet] == Side::Unknown)
     {
-      labels[flow.Tet] = flow.Label;
-      spread(flow.Tet);
+      open.push_back(tet);
     }
+  }
+  std::vector<Flow> flows;
+  std::vector<Flow> flowOfRegion(labels.size());
+  while (!open.empty())
+  {
+    flows.resize(open.size());
+    execution.ForEach(static_cast<std::int64_t>(open.size()),
+      [&](std::int64_t i) { flows[i] = StrongestFlow(complex, regions, open[i]); });
+    for (std::size_t i = 0; i < open.size(); ++i)
+    {
+      Flow& strongest = flowOfRegion[regions[open[i]]];
+      strongest = flows[i].StrongerThan(strongest) ? flows[i] : strongest;
+    }
+    for (int tet : open)
+    {
+      const Flow flow = std::exchange(flowOfRegion[regions[tet]], Flow());
+      if (flow.From >= 0)
+      {
+        const int from = sets.Find(flow.From);
+        const int to = sets.Find(flow.To);
+        const Side label = labels[from] != Side::Unknown ? labels[from] : labels[to];
+        sets.Unite(from, to);
+        labels[sets.Find(from)] = label;
+      }
+    }
+    std::erase_if(open,
+      [&](int tet)
+      {
+        regions[tet] = sets.Find(tet);
+        return labels[regions[tet]] != Side::Unknown;
+      });
+  }
+  for (int tet = 0; tet < complex.NumberOfTets(); ++tet)
+  {
+    labels[tet] = labels[sets.Find(tet)];
   }
 }
 
@@ -226,9 +343,8 @@ public:
   {
   }
 
-  /** Groups the star of `point`. Calls with rising stamps only. */
-  const std::vector<Piece>& Group(
-    int point, const std::vector<Side>& labels, const std::vector<char>& turns)
+  /** Groups the star of `point`; the pieces have neither volumes nor are they frozen yet. */
+  const std::vector<Piece>& Group(int point, const std::vector<Side>& labels)
   {
     this->Pieces.clear();
     ++this->Stamp;
@@ -239,14 +355,28 @@ public:
       const int seed = this->Complex.Incidence[i];
       if (this->Mark[seed] != this->Stamp)
       {
-        this->Pieces.push_back(this->Grow(point, seed, labels, turns));
+        this->Pieces.push_back(this->Grow(point, seed, labels));
+      }
+    }
+    return this->Pieces;
+  }
+
+  /** Adds to the pieces what a repair needs. */
+  const std::vector<Piece>& Measure(const std::vector<char>& turns)
+  {
+    for (Piece& piece : this->Pieces)
+    {
+      for (int tet : piece.Tets)
+      {
+        piece.Volume += this->Complex.Volume(tet);
+        piece.Frozen |= turns[tet] >= MaximumTurns || this->Complex.TouchesCorner(tet);
       }
     }
     return this->Pieces;
   }
 
 private:
-  Piece Grow(int point, int seed, const std::vector<Side>& labels, const std::vector<char>& turns)
+  Piece Grow(int point, int seed, const std::vector<Side>& labels)
   {
     Piece piece;
     piece.Label = labels[seed];
@@ -255,8 +385,6 @@ private:
     for (std::size_t head = 0; head < piece.Tets.size(); ++head)
     {
       const int tet = piece.Tets[head];
-      piece.Volume += this->Complex.Volume(tet);
-      piece.Frozen |= turns[tet] >= MaximumTurns || this->Complex.TouchesCorner(tet);
       for (int k = 0; k < 4; ++k)
       {
         const int other = this->Complex.Neighbors[tet][k];
@@ -469,9 +597,10 @@ std::vector<int> CountPiecePoints(const DelaunayComplex& complex, const std::vec
 
 //------------------------------------------------------------------------------
 std::vector<Side> LabelTets(const DelaunayComplex& complex,
-  const std::vector<std::array<int, 2>>& polesOfSample, const std::vector<Eigen::Vector3d>* normals)
+  const std::vector<std::array<int, 2>>& polesOfSample, const std::vector<Eigen::Vector3d>* normals,
+  const Execution& execution)
 {
-  Labeller labeller(complex, polesOfSample);
+  Labeller labeller(complex, polesOfSample, execution);
   for (int tet = 0; tet < complex.NumberOfTets(); ++tet)
   {
     if (complex.TouchesCorner(tet))
@@ -493,7 +622,7 @@ std::vector<Side> LabelTets(const DelaunayComplex& complex,
     }
   }
   std::vector<Side> labels = labeller.Run();
-  SpreadLabels(complex, labels);
+  SpreadLabels(complex, labels, execution);
   return labels;
 }
 
@@ -530,33 +659,42 @@ int RemoveSmallPieces(const DelaunayComplex& complex, int minimumSamples, std::v
 }
 
 //------------------------------------------------------------------------------
-int MakeManifold(const DelaunayComplex& complex, std::vector<Side>& labels)
+int MakeManifold(
+  const DelaunayComplex& complex, std::vector<Side>& labels, const Execution& execution)
 {
   std::vector<char> turns(complex.Tets.size(), 0);
-  std::vector<char> queued(static_cast<std::size_t>(complex.NumberOfSamples), 1);
+  const std::size_t numberOfSamples = static_cast<std::size_t>(complex.NumberOfSamples);
+  std::vector<char> irregular(numberOfSamples, 0);
+  execution.ParallelFor(complex.NumberOfSamples,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      Star star(complex);
+      for (int s = static_cast<int>(begin); s < end; ++s)
+      {
+        irregular[s] = !IsBuried(complex, labels, s) && !IsRegular(star.Group(s, labels));
+      }
+    });
   std::deque<int> queue;
   for (int s = 0; s < complex.NumberOfSamples; ++s)
   {
-    queue.push_back(s);
+    if (irregular[s])
+    {
+      queue.push_back(s);
+    }
   }
+  std::vector<char> queued = irregular;
   Star star(complex);
-  std::vector<char> irregular(queued.size(), 0);
   while (!queue.empty())
   {
     const int sample = queue.front();
     queue.pop_front();
     queued[sample] = 0;
     irregular[sample] = 0;
-    if (IsBuried(complex, labels, sample))
+    if (IsRegular(star.Group(sample, labels)))
     {
       continue;
     }
-    const std::vector<Star::Piece>& pieces = star.Group(sample, labels, turns);
-    if (IsRegular(pieces))
-    {
-      continue;
-    }
-    const std::vector<int> turned = RepairStar(pieces, labels, turns);
+    const std::vector<int> turned = RepairStar(star.Measure(turns), labels, turns);
     irregular[sample] = turned.empty();
     for (int tet : turned)
     {

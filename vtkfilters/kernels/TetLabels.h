@@ -15,8 +15,8 @@ namespace novelview
  * pole of its samples for the opposite side, -cos of the angle between the two at the sample; to
  * the poles of samples that share a Delaunay edge with its own for the same side, the balls'
  * BallAgreement. The priority of a pole with evidence for both sides is their difference less one,
- * of others the evidence itself. Ties: lowest tetrahedron id. A pole takes the side for which the
- * cubes of all its evidence sum to more.
+ * of others the evidence itself; priorities within half a thousandth are one, and the last to get
+ * there comes first. A pole takes the side for which the cubes of all its evidence sum to more.
  *
  * Differs from the paper: that passes same-side evidence between neighbours in the poles' power
  * diagram (the neighbours of samples are found without it, which takes a fifth of the time), and
@@ -30,8 +30,8 @@ namespace novelview
  * |cos| of the angle between its normal and the direction to the pole.
  */
 std::vector<Side> LabelTets(const DelaunayComplex& complex,
-  const std::vector<std::array<int, 2>>& polesOfSample,
-  const std::vector<Eigen::Vector3d>* normals);
+  const std::vector<std::array<int, 2>>& polesOfSample, const std::vector<Eigen::Vector3d>* normals,
+  const Execution& execution);
 
 /**
  * Turns over pieces of the inside and of the outside (connected through facets) with less than
@@ -49,7 +49,8 @@ int RemoveSmallPieces(
  * than `MaximumTurns` times and none with a far corner at all, so it ends; what is left then is
  * for the extraction to split. Returns the number of samples left irregular.
  */
-int MakeManifold(const DelaunayComplex& complex, std::vector<Side>& labels);
+int MakeManifold(
+  const DelaunayComplex& complex, std::vector<Side>& labels, const Execution& execution = {});
 
 /**
  * Brings samples onto the surface that have only inside or only outside tetrahedra: a tetrahedron

@@ -102,39 +102,58 @@ std::vector<Vector3i> SurfaceBlocks(
   }
 }
 
-/** The point between a (f >= 0) and b (f < 0) where f changes sign. */
-Vector3d Bisect(const SilhouetteField& field, Vector3d a, Vector3d b)
+/** Samples are found to this part of the spacing. */
+constexpr double Accuracy = 1.0 / (1 << 15);
+
+/** A point with its value of the field. */
+struct Probe
 {
-  for (int step = 0; step < 16; ++step)
+  Vector3d Point;
+  double Value;
+};
+
+/**
+ * The point between a (f >= 0) and b (f < 0) where f changes sign, on a's side: by secants, which
+ * need two or three steps where f is smooth, and every third time by halves.
+ */
+Vector3d FindCrossing(const SilhouetteField& field, Probe a, Probe b, double tolerance)
+{
+  for (int step = 1; a.Value > tolerance && (b.Point - a.Point).norm() > tolerance; ++step)
   {
-    const Vector3d middle = 0.5 * (a + b);
-    (field.Value(middle) >= 0 ? a : b) = middle;
+    // Aims at the middle of what is good enough, so that it stops on whichever side it comes from.
+    const double t = (a.Value - 0.5 * tolerance) / (a.Value - b.Value);
+    const bool halve = step % 3 == 0 || !std::isfinite(b.Value);
+    Probe next{ a.Point + (halve ? 0.5 : t) * (b.Point - a.Point), 0 };
+    next.Value = field.Value(next.Point);
+    (next.Value >= 0 ? a : b) = next;
   }
-  return a;
+  return a.Point;
 }
 
 /**
- * Moves a point near the surface onto it: along the gradient to the other side, then bisection.
- * Returns false when the surface is not met within `reach`.
+ * Moves a point near the surface onto it: along the gradient to the other side, then back to the
+ * crossing. Returns false when the surface is not met within `reach`.
  */
-bool MoveOntoSurface(const SilhouetteField& field, double reach, Vector3d& x)
+bool MoveOntoSurface(
+  const SilhouetteField& field, const Vector3d& gradient, double reach, Vector3d& x)
 {
-  const double value = field.Value(x);
-  const Vector3d gradient = field.Gradient(x, 0.25 * reach);
+  const Probe start{ x, field.Value(x) };
   const double slope = gradient.norm();
-  if (!(slope > 0) || !std::isfinite(value))
+  if (!(slope > 0) || !std::isfinite(slope) || !std::isfinite(start.Value))
   {
     return false;
   }
-  const Vector3d direction = (value >= 0 ? -1.0 : 1.0) / slope * gradient;
+  const bool inside = start.Value >= 0;
+  const Vector3d direction = (inside ? -1.0 : 1.0) / slope * gradient;
   // f has a slope of about one, so |f| is the distance; walk a little further each time.
-  double step = std::max(1.25 * std::abs(value), 0.02 * reach);
+  double step = std::max(1.25 * std::abs(start.Value), 0.02 * reach);
   for (; step <= reach; step *= 1.6)
   {
-    const Vector3d beyond = x + step * direction;
-    if ((field.Value(beyond) >= 0) != (value >= 0))
+    Probe beyond{ x + step * direction, 0 };
+    beyond.Value = field.Value(beyond.Point);
+    if ((beyond.Value >= 0) != inside)
     {
-      x = value >= 0 ? Bisect(field, x, beyond) : Bisect(field, beyond, x);
+      x = FindCrossing(field, inside ? start : beyond, inside ? beyond : start, Accuracy * reach);
       return true;
     }
   }
@@ -154,13 +173,16 @@ public:
   void Sample(const Vector3i& block, std::vector<CellSample>& out)
   {
     const Vector3i first = BlockCells * block;
+    const double side = BlockCells * this->Grid.Spacing;
+    this->Field.RestrictTo(this->Grid.Point(first) + Vector3d::Constant(0.5 * side),
+      0.5 * std::sqrt(3.0) * side + this->Leeway(), this->BlockField);
     for (int k = 0, n = 0; k < Corners; ++k)
     {
       for (int j = 0; j < Corners; ++j)
       {
         for (int i = 0; i < Corners; ++i, ++n)
         {
-          this->Values[n] = this->Field.Value(this->Grid.Point(first + Vector3i(i, j, k)));
+          this->Values[n] = this->BlockField.Value(this->Grid.Point(first + Vector3i(i, j, k)));
         }
       }
     }
@@ -177,6 +199,9 @@ public:
   }
 
 private:
+  /** How far from its cell a sample's search may look: the spacing, and the gradient's step. */
+  double Leeway() const { return 1.25 * this->Grid.Spacing; }
+
   double ValueAt(const Vector3i& corner) const
   {
     return this->Values[(corner.z() * Corners + corner.y()) * Corners + corner.x()];
@@ -185,8 +210,9 @@ private:
   void SampleCell(const Vector3i& first, const Vector3i& cell, std::vector<CellSample>& out)
   {
     Vector3d sum = Vector3d::Zero();
-    Vector3d anyInside;
-    Vector3d anyOutside;
+    Vector3d gradient = Vector3d::Zero(); // the cell's mean one, of whatever length
+    Probe anyInside{ Vector3d::Zero(), 0 };
+    Probe anyOutside{ Vector3d::Zero(), 0 };
     int crossings = 0;
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -198,6 +224,7 @@ private:
         const Vector3i to = from + Vector3i::Unit(axis);
         const double a = this->ValueAt(from);
         const double b = this->ValueAt(to);
+        gradient[axis] += b - a;
         if ((a >= 0) == (b >= 0))
         {
           continue;
@@ -206,8 +233,9 @@ private:
         const Vector3d pointB = this->Grid.Point(first + to);
         const double t = std::isfinite(a) && std::isfinite(b) ? a / (a - b) : 0.5;
         sum += pointA + t * (pointB - pointA);
-        anyInside = a >= 0 ? pointA : pointB;
-        anyOutside = a >= 0 ? pointB : pointA;
+        const Probe ends[2] = { { pointA, a }, { pointB, b } };
+        anyInside = ends[a >= 0 ? 0 : 1];
+        anyOutside = ends[a >= 0 ? 1 : 0];
         ++crossings;
       }
     }
@@ -218,16 +246,21 @@ private:
     CellSample sample;
     sample.Cell = first + cell;
     sample.Point = sum / crossings;
-    if (!MoveOntoSurface(this->Field, this->Grid.Spacing, sample.Point))
+    const double spacing = this->Grid.Spacing;
+    this->BlockField.RestrictTo(this->Grid.Point(sample.Cell) + Vector3d::Constant(0.5 * spacing),
+      0.5 * std::sqrt(3.0) * spacing + this->Leeway(), this->CellField);
+    if (!MoveOntoSurface(this->CellField, gradient, spacing, sample.Point))
     {
-      sample.Point = Bisect(this->Field, anyInside, anyOutside);
+      sample.Point = FindCrossing(this->CellField, anyInside, anyOutside, Accuracy * spacing);
     }
-    sample.Normal = -this->Field.Gradient(sample.Point, 0.25 * this->Grid.Spacing).normalized();
+    sample.Normal = -this->CellField.Gradient(sample.Point, 0.25 * spacing).normalized();
     out.push_back(sample);
   }
 
   const SilhouetteField& Field;
   const Lattice& Grid;
+  SilhouetteField BlockField; ///< the same in a block
+  SilhouetteField CellField;  ///< and in a cell
   std::array<double, Corners * Corners * Corners> Values;
 };
 
