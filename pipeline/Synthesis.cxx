@@ -3,20 +3,12 @@
 
 #include "Error.h"
 #include "StageRunner.h"
+#include "SynthesisStages.h"
 #include "ViewAccess.h"
-#include "vtkNonOutlineDeformer.h"
-#include "vtkOutlineDeformer.h"
 #include "vtkPinholeCamera.h"
-#include "vtkPowerCrustMesher.h"
-#include "vtkReferenceDepthEstimator.h"
-#include "vtkSilhouetteReconciler.h"
-#include "vtkViewDependentTextureMapper.h"
-#include "vtkVisibilityCuller.h"
-#include "vtkVisualHullSource.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkNew.h>
-#include <vtkTrivialProducer.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -78,67 +70,25 @@ public:
     vtkMultiBlockDataSet* views, const SynthesisOptions& options, SynthesisListener listener)
     : Options(options)
     , Listener(std::move(listener))
+    , Filters(views, options)
   {
-    vtkAlgorithmOutput* silhouettes = this->Silhouettes(views);
-    this->HullSource->SetInputConnection(silhouettes);
-    this->HullSource->SetSampleSpacing(options.HullSpacingPx);
-    this->HullSource->SetKeepAllComponents(options.HullKeepAll);
-    if (options.HullBox)
-    {
-      const auto& b = *options.HullBox;
-      this->HullSource->SetSearchBounds(b[0], b[3], b[1], b[4], b[2], b[5]);
-    }
-    this->Mesher->SetInputConnection(this->HullSource->GetOutputPort());
-    this->Culler->SetInputConnection(this->Mesher->GetOutputPort());
-
-    this->Outline->SetInputConnection(0, this->Culler->GetOutputPort());
-    this->Outline->SetNumberOfIterations(options.OutlineIterations);
-    this->Outline->SetContourWeight(options.OutlineAlpha);
-    this->Outline->SetSmoothWeight(options.OutlineBeta);
-    this->Outline->SetSearchRange(options.OutlineSearchPx);
-
-    this->NonOutline->SetInputConnection(0, this->Outline->GetOutputPort());
-    this->NonOutline->SetNumberOfIterations(options.NonOutlineIterations);
-    this->NonOutline->SetSmoothWeight(options.NonOutlineAlpha);
-
-    this->DepthEstimator->SetInputConnection(0, silhouettes);
-    this->DepthEstimator->SetInputConnection(1, this->Mesher->GetOutputPort());
-    for (vtkAlgorithm* filter : { static_cast<vtkAlgorithm*>(this->Outline),
-           static_cast<vtkAlgorithm*>(this->NonOutline), static_cast<vtkAlgorithm*>(this->Mapper) })
-    {
-      filter->SetInputConnection(
-        1, options.UseDepthMaps ? this->DepthEstimator->GetOutputPort() : silhouettes);
-    }
-    this->Outline->SetUseDepthMaps(options.UseDepthMaps);
-    this->Outline->SetSilhouettePrior(options.SilhouettePrior);
-    this->Outline->SetUseContourPrediction(options.ContourPrediction);
-    this->Outline->SetDepthNoise(options.DepthNoise);
-    this->NonOutline->SetDepthNoise(options.DepthNoise);
-    this->NonOutline->SetUseDepthMaps(options.UseDepthMaps);
-    this->Mapper->SetUseDepthMaps(options.UseDepthMaps);
-    this->Mapper->SetUseExposureGains(options.ExposureGains);
-    this->Mapper->SetFeatherWidth(options.FeatherPx);
-    this->Mapper->SetOcclusionSoftness(options.OcclusionSoftness);
-    this->Mapper->SetRimSamples(options.RimSamples);
-    this->Mapper->SetReferences(options.References);
-    this->Mapper->SetPower(options.Power);
   }
 
   void RunHull()
   {
     if (this->Options.ReconcileSilhouettes)
     {
-      this->Run("silhouettes", this->Reconciler);
+      this->Run("silhouettes", this->Filters.Reconciler);
       this->WarnOfOffsets();
     }
-    this->Run("visual hull", this->HullSource);
-    if (const int dropped = this->HullSource->GetNumberOfDroppedComponents();
+    this->Run("visual hull", this->Filters.HullSource);
+    if (const int dropped = this->Filters.HullSource->GetNumberOfDroppedComponents();
         dropped > 0 && !this->ToldOfDropped && this->Listener.Warn)
     {
       this->ToldOfDropped = true;
       this->Listener.Warn("visual hull: " + std::to_string(dropped) +
         " smaller component(s) with " +
-        std::to_string(this->HullSource->GetNumberOfDroppedSamples()) +
+        std::to_string(this->Filters.HullSource->GetNumberOfDroppedSamples()) +
         " samples left out; all are kept with the option for it");
     }
   }
@@ -146,24 +96,20 @@ public:
   void RunCrust()
   {
     this->RunHull();
-    this->Run("power crust", this->Mesher);
+    this->Run("power crust", this->Filters.Mesher);
   }
 
   /** With `all`, every stage is textured; otherwise only the last. */
   std::vector<NovelView> Render(const Camera& camera, Stage upTo, bool all)
   {
-    const auto pinhole = NewPinholeCamera(camera);
-    this->Culler->SetCamera(pinhole);
-    this->Outline->SetCamera(pinhole);
-    this->NonOutline->SetCamera(pinhole);
-    this->Mapper->SetCamera(pinhole);
+    this->Filters.SetCamera(camera);
     this->RunCrust();
     if (this->Options.UseDepthMaps)
     {
-      this->Run("depth maps", this->DepthEstimator);
+      this->Run("depth maps", this->Filters.DepthEstimator);
     }
-    this->Run("culling", this->Culler);
-    this->Mapper->SetInputConnection(2, this->Culler->GetOutputPort(1));
+    this->Run("culling", this->Filters.Culler);
+    this->Filters.Mapper->SetInputConnection(2, this->Filters.Culler->GetOutputPort(1));
     std::vector<NovelView> views;
     const auto add = [&](vtkPolyDataAlgorithm* filter, Stage stage)
     {
@@ -176,42 +122,32 @@ public:
         RequireObject(view.Image);
       }
     };
-    add(this->Culler, Stage::Hull);
+    add(this->Filters.Culler, Stage::Hull);
     if (upTo != Stage::Hull)
     {
-      this->RunDeformer("outline", this->Outline, Stage::Outline);
-      add(this->Outline, Stage::Outline);
+      this->RunDeformer("outline", this->Filters.Outline, Stage::Outline);
+      add(this->Filters.Outline, Stage::Outline);
     }
     if (upTo == Stage::Full)
     {
-      this->RunDeformer("non-outline", this->NonOutline, Stage::Full);
-      add(this->NonOutline, Stage::Full);
+      this->RunDeformer("non-outline", this->Filters.NonOutline, Stage::Full);
+      add(this->Filters.NonOutline, Stage::Full);
     }
     return views;
   }
 
   vtkSmartPointer<vtkImageData> Texture(vtkPolyData* mesh, const Camera& camera)
   {
-    this->Mapper->SetCamera(NewPinholeCamera(camera));
-    this->Mapper->RemoveAllInputConnections(2);
+    this->Filters.Mapper->SetCamera(NewPinholeCamera(camera));
+    this->Filters.Mapper->RemoveAllInputConnections(2);
     return this->Textured(mesh, "texture");
   }
 
   const SynthesisOptions Options;
   const SynthesisListener Listener;
-  vtkNew<vtkVisualHullSource> HullSource;
-  vtkNew<vtkPowerCrustMesher> Mesher;
+  SynthesisStages Filters;
 
 private:
-  /** Where the stages take the photographs with their silhouettes from. */
-  vtkAlgorithmOutput* Silhouettes(vtkMultiBlockDataSet* views)
-  {
-    this->Views->SetOutput(views);
-    this->Reconciler->SetInputConnection(this->Views->GetOutputPort());
-    return this->Options.ReconcileSilhouettes ? this->Reconciler->GetOutputPort()
-                                              : this->Views->GetOutputPort();
-  }
-
   /** Tells once of every silhouette that was enlarged. */
   void WarnOfOffsets()
   {
@@ -220,7 +156,7 @@ private:
       return;
     }
     this->ToldOfOffsets = true;
-    vtkMultiBlockDataSet* views = this->Reconciler->GetOutput();
+    vtkMultiBlockDataSet* views = this->Filters.Reconciler->GetOutput();
     std::vector<double> offsets;
     for (unsigned int viewId = 0; viewId < views->GetNumberOfBlocks(); ++viewId)
     {
@@ -249,11 +185,11 @@ private:
 
   vtkSmartPointer<vtkImageData> Textured(vtkPolyData* mesh, const char* stage)
   {
-    this->Mapper->SetInputData(0, mesh);
+    this->Filters.Mapper->SetInputData(0, mesh);
     // Pictures taken between iterations are part of their stage, and not told of.
-    stage ? this->Run(stage, this->Mapper) : RunStage("texture", this->Mapper);
+    stage ? this->Run(stage, this->Filters.Mapper) : RunStage("texture", this->Filters.Mapper);
     auto image = vtkSmartPointer<vtkImageData>::New();
-    image->ShallowCopy(this->Mapper->GetOutput());
+    image->ShallowCopy(this->Filters.Mapper->GetOutput());
     return image;
   }
 
@@ -305,13 +241,6 @@ private:
     this->Listener.Iteration(state);
   }
 
-  vtkNew<vtkTrivialProducer> Views;
-  vtkNew<vtkSilhouetteReconciler> Reconciler;
-  vtkNew<vtkReferenceDepthEstimator> DepthEstimator;
-  vtkNew<vtkVisibilityCuller> Culler;
-  vtkNew<vtkOutlineDeformer> Outline;
-  vtkNew<vtkNonOutlineDeformer> NonOutline;
-  vtkNew<vtkViewDependentTextureMapper> Mapper;
   bool ToldOfDropped = false;
   bool ToldOfOffsets = false;
 };
@@ -327,19 +256,19 @@ Synthesis::~Synthesis() = default;
 vtkPolyData* Synthesis::Hull()
 {
   this->Own->RunHull();
-  return this->Own->HullSource->GetOutput();
+  return this->Own->Filters.HullSource->GetOutput();
 }
 
 vtkPolyData* Synthesis::Crust()
 {
   this->Own->RunCrust();
-  return this->Own->Mesher->GetOutput();
+  return this->Own->Filters.Mesher->GetOutput();
 }
 
 vtkPolyData* Synthesis::MedialBalls()
 {
   this->Own->RunCrust();
-  return vtkPolyData::SafeDownCast(this->Own->Mesher->GetOutputDataObject(1));
+  return vtkPolyData::SafeDownCast(this->Own->Filters.Mesher->GetOutputDataObject(1));
 }
 
 NovelView Synthesis::Render(const Camera& camera, Stage upTo)
