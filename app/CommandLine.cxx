@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "CommandLine.h"
 
+#include "AtomicFile.h"
 #include "OptionParser.h"
 #include "Parallel.h"
 #include "UsageError.h"
@@ -19,6 +20,7 @@ struct CommonFlags
 {
   bool Quiet = false;
   bool Verbose = false;
+  fs::path Timings; ///< empty = none are written
 
   void AddTo(CLI::App& command)
   {
@@ -26,6 +28,11 @@ struct CommonFlags
     command.add_flag("-v,--verbose", this->Verbose, "tell details")
       ->group("Program")
       ->excludes("--quiet");
+    command
+      .add_option("--timings", this->Timings,
+        "JSON file that gets the seconds of every stage, the threads and the peak memory")
+      ->group("Program")
+      ->type_name("PATH");
   }
   Verbosity Level() const
   {
@@ -219,6 +226,10 @@ int RunCommandLine(int argc, const char* const* argv, const Commands& commands)
   try
   {
     Dispatch(app, parsed, commands, console);
+    if (!parsed.Common.Timings.empty())
+    {
+      WriteTextAtomically(parsed.Common.Timings, console.TimingsText());
+    }
     return ExitCode::Ok;
   }
   catch (const Interrupted&)

@@ -33,7 +33,8 @@ Dataset ReadInput(const JobInput& input, const DatasetIndex& index,
     }
   }
   console.Progress("reading photographs", 0);
-  Dataset dataset = ReadDataset(index, options);
+  Dataset dataset;
+  console.RunTimed("photographs", [&] { dataset = ReadDataset(index, options); });
   for (const std::string& warning : dataset.Warnings)
   {
     console.Warn(warning);

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Console.h"
 
+#include "Threads.h"
+
+#include <nlohmann/json.hpp>
+
 #include <spdlog/fmt/fmt.h>
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
@@ -100,6 +104,14 @@ void Console::StageDone(const std::string& stage, double seconds)
   this->Info(fmt::format("{} done in {:.2f} s", stage, seconds));
 }
 
+void Console::RunTimed(const std::string& stage, const std::function<void()>& work)
+{
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  this->StageDone(stage, taken.count());
+}
+
 void Console::Info(const std::string& text)
 {
   this->ClearBar();
@@ -126,13 +138,30 @@ void Console::Error(const std::string& text)
 
 void Console::Summary()
 {
-  const std::chrono::duration<double> whole = std::chrono::steady_clock::now() - this->Start;
   for (const auto& [stage, seconds] : this->Stages)
   {
     this->Info(fmt::format("  {:<24} {:8.2f} s", stage, seconds));
   }
-  this->Info(fmt::format("  {:<24} {:8.2f} s", "whole run", whole.count()));
+  this->Info(fmt::format("  {:<24} {:8.2f} s", "whole run", this->SecondsSoFar()));
   this->Info(fmt::format("  {:<24} {:8.0f} MiB", "peak memory", PeakMemoryMiB()));
+}
+
+std::string Console::TimingsText() const
+{
+  nlohmann::ordered_json stages = nlohmann::ordered_json::object();
+  for (const auto& [stage, seconds] : this->Stages)
+  {
+    stages[stage] = seconds;
+  }
+  const nlohmann::ordered_json timings = { { "stages", stages }, { "whole", this->SecondsSoFar() },
+    { "threads", NumberOfThreads() }, { "peakMemoryMiB", PeakMemoryMiB() } };
+  return timings.dump(2) + "\n";
+}
+
+double Console::SecondsSoFar() const
+{
+  const std::chrono::duration<double> whole = std::chrono::steady_clock::now() - this->Start;
+  return whole.count();
 }
 
 void Console::Interrupt()

@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
@@ -35,6 +36,8 @@ public:
   bool Progress(const std::string& what, double fraction);
   /** A stage has ended. */
   void StageDone(const std::string& stage, double seconds);
+  /** Does what is no filter's work, and counts it as a stage. */
+  void RunTimed(const std::string& stage, const std::function<void()>& work);
 
   void Info(const std::string& text);
   void Detail(const std::string& text);
@@ -46,6 +49,12 @@ public:
   const std::vector<std::pair<std::string, double>>& StageSeconds() const { return this->Stages; }
   /** Says the time of every stage, the whole time and the peak memory. */
   void Summary();
+  /**
+   * The same for programs, as a JSON object: "stages" (an object of "seconds" by stage, in the
+   * order of their ends), "whole" (seconds since the Console was made), "threads" and
+   * "peakMemoryMiB".
+   */
+  std::string TimingsText() const;
 
   /** Asks every Console to stop its program; may be called by a signal handler. */
   static void Interrupt();
@@ -53,12 +62,13 @@ public:
 
 private:
   void ClearBar();
+  double SecondsSoFar() const;
 
   std::shared_ptr<spdlog::logger> Out;
   std::shared_ptr<spdlog::logger> Err;
   std::shared_ptr<spdlog::logger> Before; ///< spdlog's default logger while there is no Console
-  std::FILE* Terminal = nullptr; ///< where the bar is drawn; null = nowhere
-  std::string Bar;               ///< as drawn last
+  std::FILE* Terminal = nullptr;          ///< where the bar is drawn; null = nowhere
+  std::string Bar;                        ///< as drawn last
   std::vector<std::pair<std::string, double>> Stages;
   std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
 };

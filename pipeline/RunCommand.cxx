@@ -48,15 +48,22 @@ std::string ScoreLine(const std::string& name, const std::optional<Scores>& scor
   return text;
 }
 
-/** The oracle: the texture mapper on the true mesh, if there is one. */
-void AddOracle(vtkPolyData* trueMesh, const Camera& camera, Synthesis& synthesis, RunReport& report)
+/** Everything but the iterations, which are written as they come. */
+void WriteReport(
+  const std::vector<NovelView>& stages, const NovelView& oracle, Synthesis& made, RunReport& report)
 {
-  if (trueMesh)
+  for (std::size_t i = 0; i < stages.size(); ++i)
   {
-    NovelView oracle;
-    oracle.Image = synthesis.Texture(trueMesh, camera);
+    report.AddStage(StageName(static_cast<Stage>(i)), stages[i]);
+  }
+  if (oracle.Image)
+  {
     report.AddStage("oracle", oracle);
   }
+  report.WriteMesh("visual_hull", made.Hull());
+  report.WriteMesh("power_crust", made.Crust());
+  report.WriteMesh("medial_balls", made.MedialBalls());
+  report.WriteNovel(stages.back().Image);
 }
 }
 
@@ -87,17 +94,18 @@ void RunJob(const Job& job, Console& console)
   }
   Synthesis synthesis(dataset.Views, job.Synthesis, listener);
   const std::vector<NovelView> stages = synthesis.RenderStages(view.Cam, job.UpTo);
-  for (std::size_t i = 0; i < stages.size(); ++i)
+  NovelView oracle;
+  if (trueMesh)
   {
-    report.AddStage(StageName(static_cast<Stage>(i)), stages[i]);
+    oracle.Image = synthesis.Texture(trueMesh, view.Cam);
   }
-  AddOracle(trueMesh, view.Cam, synthesis, report);
-  report.WriteMesh("visual_hull", synthesis.Hull());
-  report.WriteMesh("power_crust", synthesis.Crust());
-  report.WriteMesh("medial_balls", synthesis.MedialBalls());
-  report.WriteNovel(stages.back().Image);
-  report.Finish(desktop.Title);
-  WriteJob(job, job.Out / "job.json");
+  console.RunTimed("report",
+    [&]
+    {
+      WriteReport(stages, oracle, synthesis, report);
+      report.Finish(desktop.Title);
+      WriteJob(job, job.Out / "job.json");
+    });
 
   for (const auto& [name, scores] : report.Stages())
   {
@@ -124,8 +132,12 @@ void RenderJob(const RenderOptions& options, Console& console)
     const ResolvedView view = ResolveViewSpec(spec, index);
     ValidateCamera(view.Cam, camera.Name);
     const NovelView novel = synthesis.Render(view.Cam, options.UpTo);
-    WriteArray(options.Out / camera.Name, novel.Image, arrays::Color);
-    WriteArray(options.Out / "mask" / camera.Name, novel.Image, arrays::Mask);
+    console.RunTimed("report",
+      [&]
+      {
+        WriteArray(options.Out / camera.Name, novel.Image, arrays::Color);
+        WriteArray(options.Out / "mask" / camera.Name, novel.Image, arrays::Mask);
+      });
     console.Info((options.Out / camera.Name).string());
   }
   console.Summary();

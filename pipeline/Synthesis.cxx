@@ -4,20 +4,12 @@
 #include "Error.h"
 #include "StageCache.h"
 #include "StageRunner.h"
+#include "SynthesisStages.h"
 #include "ViewAccess.h"
-#include "vtkNonOutlineDeformer.h"
-#include "vtkOutlineDeformer.h"
 #include "vtkPinholeCamera.h"
-#include "vtkPowerCrustMesher.h"
-#include "vtkReferenceDepthEstimator.h"
-#include "vtkSilhouetteReconciler.h"
-#include "vtkViewDependentTextureMapper.h"
-#include "vtkVisibilityCuller.h"
-#include "vtkVisualHullSource.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkNew.h>
-#include <vtkTrivialProducer.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -79,53 +71,12 @@ public:
     vtkMultiBlockDataSet* views, const SynthesisOptions& options, SynthesisListener listener)
     : Options(options)
     , Listener(std::move(listener))
+    , Filters(views, options)
   {
     if (!options.Cache.empty())
     {
       this->Cache.emplace(options.Cache, views, options);
     }
-    vtkAlgorithmOutput* silhouettes = this->Silhouettes(views);
-    this->HullSource->SetInputConnection(silhouettes);
-    this->HullSource->SetSampleSpacing(options.HullSpacingPx);
-    this->HullSource->SetKeepAllComponents(options.HullKeepAll);
-    if (options.HullBox)
-    {
-      const auto& b = *options.HullBox;
-      this->HullSource->SetSearchBounds(b[0], b[3], b[1], b[4], b[2], b[5]);
-    }
-    this->Mesher->SetInputConnection(this->HullSource->GetOutputPort());
-    this->Culler->SetInputConnection(this->Mesher->GetOutputPort());
-
-    this->Outline->SetInputConnection(0, this->Culler->GetOutputPort());
-    this->Outline->SetNumberOfIterations(options.OutlineIterations);
-    this->Outline->SetContourWeight(options.OutlineAlpha);
-    this->Outline->SetSmoothWeight(options.OutlineBeta);
-    this->Outline->SetSearchRange(options.OutlineSearchPx);
-
-    this->NonOutline->SetInputConnection(0, this->Outline->GetOutputPort());
-    this->NonOutline->SetNumberOfIterations(options.NonOutlineIterations);
-    this->NonOutline->SetSmoothWeight(options.NonOutlineAlpha);
-
-    this->DepthEstimator->SetInputConnection(0, silhouettes);
-    this->DepthEstimator->SetInputConnection(1, this->Mesher->GetOutputPort());
-    for (vtkAlgorithm* filter : this->ViewUsers())
-    {
-      filter->SetInputConnection(
-        1, options.UseDepthMaps ? this->DepthEstimator->GetOutputPort() : silhouettes);
-    }
-    this->Outline->SetUseDepthMaps(options.UseDepthMaps);
-    this->Outline->SetSilhouettePrior(options.SilhouettePrior);
-    this->Outline->SetUseContourPrediction(options.ContourPrediction);
-    this->Outline->SetDepthNoise(options.DepthNoise);
-    this->NonOutline->SetDepthNoise(options.DepthNoise);
-    this->NonOutline->SetUseDepthMaps(options.UseDepthMaps);
-    this->Mapper->SetUseDepthMaps(options.UseDepthMaps);
-    this->Mapper->SetUseExposureGains(options.ExposureGains);
-    this->Mapper->SetFeatherWidth(options.FeatherPx);
-    this->Mapper->SetOcclusionSoftness(options.OcclusionSoftness);
-    this->Mapper->SetRimSamples(options.RimSamples);
-    this->Mapper->SetReferences(options.References);
-    this->Mapper->SetPower(options.Power);
   }
 
   /** The hull at least; with a cache, all that does not depend on the novel camera. */
@@ -135,7 +86,7 @@ public:
     {
       this->RunHull();
     }
-    return this->Kept ? this->Kept->Hull.Get() : this->HullSource->GetOutput();
+    return this->Kept ? this->Kept->Hull.Get() : this->Filters.HullSource->GetOutput();
   }
 
   vtkPolyData* Crust()
@@ -144,27 +95,23 @@ public:
     {
       this->RunCrust();
     }
-    return this->Kept ? this->Kept->Crust.Get() : this->Mesher->GetOutput();
+    return this->Kept ? this->Kept->Crust.Get() : this->Filters.Mesher->GetOutput();
   }
 
   vtkPolyData* MedialBalls()
   {
     this->Crust();
     return this->Kept ? this->Kept->MedialBalls.Get()
-                      : vtkPolyData::SafeDownCast(this->Mesher->GetOutputDataObject(1));
+                      : vtkPolyData::SafeDownCast(this->Filters.Mesher->GetOutputDataObject(1));
   }
 
   /** With `all`, every stage is textured; otherwise only the last. */
   std::vector<NovelView> Render(const Camera& camera, Stage upTo, bool all)
   {
-    const auto pinhole = NewPinholeCamera(camera);
-    this->Culler->SetCamera(pinhole);
-    this->Outline->SetCamera(pinhole);
-    this->NonOutline->SetCamera(pinhole);
-    this->Mapper->SetCamera(pinhole);
+    this->Filters.SetCamera(camera);
     this->Prepare();
-    this->Run("culling", this->Culler);
-    this->Mapper->SetInputConnection(2, this->Culler->GetOutputPort(1));
+    this->Run("culling", this->Filters.Culler);
+    this->Filters.Mapper->SetInputConnection(2, this->Filters.Culler->GetOutputPort(1));
     std::vector<NovelView> views;
     const auto add = [&](vtkPolyDataAlgorithm* filter, Stage stage)
     {
@@ -177,24 +124,24 @@ public:
         RequireObject(view.Image);
       }
     };
-    add(this->Culler, Stage::Hull);
+    add(this->Filters.Culler, Stage::Hull);
     if (upTo != Stage::Hull)
     {
-      this->RunDeformer("outline", this->Outline, Stage::Outline);
-      add(this->Outline, Stage::Outline);
+      this->RunDeformer("outline", this->Filters.Outline, Stage::Outline);
+      add(this->Filters.Outline, Stage::Outline);
     }
     if (upTo == Stage::Full)
     {
-      this->RunDeformer("non-outline", this->NonOutline, Stage::Full);
-      add(this->NonOutline, Stage::Full);
+      this->RunDeformer("non-outline", this->Filters.NonOutline, Stage::Full);
+      add(this->Filters.NonOutline, Stage::Full);
     }
     return views;
   }
 
   vtkSmartPointer<vtkImageData> Texture(vtkPolyData* mesh, const Camera& camera)
   {
-    this->Mapper->SetCamera(NewPinholeCamera(camera));
-    this->Mapper->RemoveAllInputConnections(2);
+    this->Filters.Mapper->SetCamera(NewPinholeCamera(camera));
+    this->Filters.Mapper->RemoveAllInputConnections(2);
     return this->Textured(mesh, "texture");
   }
 
@@ -209,7 +156,7 @@ private:
     this->RunCrust();
     if (this->Options.UseDepthMaps)
     {
-      this->Run("depth maps", this->DepthEstimator);
+      this->Run("depth maps", this->Filters.DepthEstimator);
     }
     if (!this->Cache || this->Stored)
     {
@@ -247,7 +194,7 @@ private:
 
   void UseKept()
   {
-    this->Culler->SetInputData(this->Kept->Crust);
+    this->Filters.Culler->SetInputData(this->Kept->Crust);
     for (vtkAlgorithm* filter : this->ViewUsers())
     {
       filter->SetInputDataObject(1, this->Kept->Views);
@@ -261,11 +208,11 @@ private:
   ViewIndependent Results()
   {
     ViewIndependent results;
-    results.Hull = this->HullSource->GetOutput();
-    results.Crust = this->Mesher->GetOutput();
-    results.MedialBalls = vtkPolyData::SafeDownCast(this->Mesher->GetOutputDataObject(1));
+    results.Hull = this->Filters.HullSource->GetOutput();
+    results.Crust = this->Filters.Mesher->GetOutput();
+    results.MedialBalls = vtkPolyData::SafeDownCast(this->Filters.Mesher->GetOutputDataObject(1));
     results.Views = vtkMultiBlockDataSet::SafeDownCast(
-      this->Mapper->GetInputAlgorithm(1, 0)->GetOutputDataObject(0));
+      this->Filters.Mapper->GetInputAlgorithm(1, 0)->GetOutputDataObject(0));
     results.Warnings = this->Warnings;
     return results;
   }
@@ -273,7 +220,7 @@ private:
   /** The filters whose second input is the photographs. */
   std::array<vtkAlgorithm*, 3> ViewUsers()
   {
-    return { this->Outline, this->NonOutline, this->Mapper };
+    return { this->Filters.Outline, this->Filters.NonOutline, this->Filters.Mapper };
   }
 
   void Warn(const std::string& text)
@@ -289,16 +236,16 @@ private:
   {
     if (this->Options.ReconcileSilhouettes)
     {
-      this->Run("silhouettes", this->Reconciler);
+      this->Run("silhouettes", this->Filters.Reconciler);
       this->WarnOfOffsets();
     }
-    this->Run("visual hull", this->HullSource);
-    if (const int dropped = this->HullSource->GetNumberOfDroppedComponents();
+    this->Run("visual hull", this->Filters.HullSource);
+    if (const int dropped = this->Filters.HullSource->GetNumberOfDroppedComponents();
         dropped > 0 && !this->ToldOfDropped)
     {
       this->ToldOfDropped = true;
       this->Warn("visual hull: " + std::to_string(dropped) + " smaller component(s) with " +
-        std::to_string(this->HullSource->GetNumberOfDroppedSamples()) +
+        std::to_string(this->Filters.HullSource->GetNumberOfDroppedSamples()) +
         " samples left out; all are kept with the option for it");
     }
   }
@@ -306,16 +253,7 @@ private:
   void RunCrust()
   {
     this->RunHull();
-    this->Run("power crust", this->Mesher);
-  }
-
-  /** Where the stages take the photographs with their silhouettes from. */
-  vtkAlgorithmOutput* Silhouettes(vtkMultiBlockDataSet* views)
-  {
-    this->Views->SetOutput(views);
-    this->Reconciler->SetInputConnection(this->Views->GetOutputPort());
-    return this->Options.ReconcileSilhouettes ? this->Reconciler->GetOutputPort()
-                                              : this->Views->GetOutputPort();
+    this->Run("power crust", this->Filters.Mesher);
   }
 
   /** Tells once of every silhouette that was enlarged. */
@@ -326,7 +264,7 @@ private:
       return;
     }
     this->ToldOfOffsets = true;
-    vtkMultiBlockDataSet* views = this->Reconciler->GetOutput();
+    vtkMultiBlockDataSet* views = this->Filters.Reconciler->GetOutput();
     std::vector<double> offsets;
     for (unsigned int viewId = 0; viewId < views->GetNumberOfBlocks(); ++viewId)
     {
@@ -355,17 +293,16 @@ private:
 
   vtkSmartPointer<vtkImageData> Textured(vtkPolyData* mesh, const char* stage)
   {
-    this->Mapper->SetInputData(0, mesh);
+    this->Filters.Mapper->SetInputData(0, mesh);
     // Pictures taken between iterations are part of their stage, and not told of.
-    stage ? this->Run(stage, this->Mapper) : RunStage("texture", this->Mapper);
+    stage ? this->Run(stage, this->Filters.Mapper) : RunStage("texture", this->Filters.Mapper);
     auto image = vtkSmartPointer<vtkImageData>::New();
-    image->ShallowCopy(this->Mapper->GetOutput());
+    image->ShallowCopy(this->Filters.Mapper->GetOutput());
     return image;
   }
 
   void RunDeformer(const std::string& stage, vtkViewDeformer* filter, Stage step)
   {
-    vtkNew<vtkCallbackCommand> command;
     struct Context
     {
       Internals* Self;
@@ -413,20 +350,12 @@ private:
 
   const SynthesisOptions Options;
   const SynthesisListener Listener;
+  SynthesisStages Filters;
   std::optional<StageCache> Cache;
   std::optional<ViewIndependent> Kept; ///< what the cache had
   bool Looked = false;
   bool Stored = false;
   std::vector<std::string> Warnings;
-  vtkNew<vtkVisualHullSource> HullSource;
-  vtkNew<vtkPowerCrustMesher> Mesher;
-  vtkNew<vtkTrivialProducer> Views;
-  vtkNew<vtkSilhouetteReconciler> Reconciler;
-  vtkNew<vtkReferenceDepthEstimator> DepthEstimator;
-  vtkNew<vtkVisibilityCuller> Culler;
-  vtkNew<vtkOutlineDeformer> Outline;
-  vtkNew<vtkNonOutlineDeformer> NonOutline;
-  vtkNew<vtkViewDependentTextureMapper> Mapper;
   bool ToldOfDropped = false;
   bool ToldOfOffsets = false;
 };

@@ -184,6 +184,19 @@ TEST(CommandLine, FailuresHaveTheirExitCodes)
   EXPECT_EQ(misused.Code, 2);
 }
 
+TEST(CommandLine, TimingsAreWrittenWhenTheCommandHasSucceeded)
+{
+  const TemporaryFolder folder;
+  const std::string file = (folder / "timings.json").string();
+  const std::vector<const char*> words{ "run", "bunny", "--view", "like:a", "--out", "o",
+    "--threads", "1", "--timings", file.c_str() };
+  EXPECT_EQ(Parse(words, [] { throw Error("hull", "is empty"); }).Code, 1);
+  EXPECT_FALSE(std::filesystem::exists(file));
+  EXPECT_EQ(Parse(words).Code, 0);
+  EXPECT_THAT(ReadText(file), HasSubstr("\"threads\": 1"));
+  EXPECT_THAT(ReadText(file), HasSubstr("\"stages\""));
+}
+
 TEST(CommandLine, HelpTellsEveryOptionWithDefaultAndUnit)
 {
   const Outcome help = Parse({ "run", "--help" });

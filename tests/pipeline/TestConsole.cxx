@@ -2,7 +2,11 @@
 #include "Console.h"
 #include "TestSupport.h"
 
+#include <nlohmann/json.hpp>
+
+#include <chrono>
 #include <csignal>
+#include <thread>
 
 using namespace novelview;
 using namespace novelview::testing_support;
@@ -60,6 +64,34 @@ TEST(Console, VerboseTellsDetails)
 {
   EXPECT_EQ(
     Talk(Verbosity::Verbose, SayEverything).Out, "hull done in 1.25 s\nan info\na detail\n");
+}
+
+TEST(Console, TimingsAreStagesWholeThreadsAndMemory)
+{
+  Talk(Verbosity::Quiet,
+    [](Console& console)
+    {
+      console.StageDone("visual hull", 1);
+      console.StageDone("texture", 2);
+      console.StageDone("texture", 0.5);
+      console.RunTimed(
+        "report", [] { std::this_thread::sleep_for(std::chrono::milliseconds(20)); });
+      EXPECT_THROW(console.RunTimed("broken", [] { throw Error("a", "b"); }), Error);
+      const auto timings = nlohmann::ordered_json::parse(console.TimingsText());
+      std::vector<std::string> stages;
+      for (const auto& [stage, seconds] : timings.at("stages").items())
+      {
+        stages.push_back(stage);
+      }
+      EXPECT_THAT(stages, testing::ElementsAre("visual hull", "texture", "report"))
+        << "in the order of their ends; what failed is none";
+      EXPECT_EQ(timings.at("stages").at("texture"), 2.5);
+      // What it slept.
+      EXPECT_GE(timings.at("stages").at("report"), 0.02);
+      EXPECT_GE(timings.at("whole"), timings.at("stages").at("report"));
+      EXPECT_GE(timings.at("threads"), 1);
+      EXPECT_GT(timings.at("peakMemoryMiB"), 1);
+    });
 }
 
 TEST(Console, SummaryAddsUpStagesAndTellsMemory)

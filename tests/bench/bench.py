@@ -1,0 +1,180 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Measures what NovelView costs and prints the tables as Markdown.
+
+Run by tests/bench/bench.sh, which says more.
+"""
+import argparse
+import json
+import os
+import platform
+import statistics
+import subprocess
+import sys
+
+import growth
+import tables
+from runs import Bench, DataSet, further_view, note, whole_runs
+
+PARTS = ["kernels", "runs", "growth"]
+SMALL, MIDDLE, LARGE = (DataSet(12, 640, 480, 9), DataSet(24, 1600, 1200, 3),
+                        DataSet(49, 1600, 1200, 3))
+QUICK = [DataSet(12, 320, 240, 3), DataSet(12, 640, 480, 3)]
+# In a quick run only what needs no depth maps and few samples.
+QUICK_KERNELS = ("visual_hull|silhouettes|culling|texture/paper|contour|photographs/|rasteriser|"
+                 "power_crust/samples:35000")
+
+
+def arguments():
+    parser = argparse.ArgumentParser(prog="tests/bench/bench.sh", description=__doc__)
+    parser.add_argument("--program", required=True, help=argparse.SUPPRESS)
+    parser.add_argument("--kernels", required=True, help=argparse.SUPPRESS)
+    parser.add_argument("--out", required=True, help="folder for data sets and results")
+    parser.add_argument("--quick", action="store_true", help="small sizes, one repetition")
+    parser.add_argument("--parts", default=",".join(PARTS),
+                        help="which of kernels, runs, growth (default: all)")
+    parser.add_argument("--presets", default="best,paper")
+    parser.add_argument("--threads", default="1,2", help="numbers of threads to compare")
+    parser.add_argument("--repetitions", type=int, help="medians of so many (default: 3)")
+    options = parser.parse_args()
+    options.parts = options.parts.split(",")
+    options.presets = options.presets.split(",")
+    options.threads = [int(count) for count in options.threads.split(",")]
+    options.repetitions = options.repetitions or (1 if options.quick else 3)
+    if not set(options.parts) <= set(PARTS) or not set(options.presets) <= {"best", "paper"}:
+        parser.error("no such part or preset")
+    return options
+
+
+def processor():
+    """The processor's name as Linux tells it."""
+    with open("/proc/cpuinfo", encoding="utf-8") as file:
+        for line in file:
+            if line.startswith("model name"):
+                return line.split(":", 1)[1].strip()
+    return platform.machine()
+
+
+def run_kernels(options):
+    """Google Benchmark's report, as it comes and as {(name, threads): ms}."""
+    note("stages and kernels alone")
+    path = os.path.join(options.out, "kernels.json")
+    command = [options.kernels, f"--benchmark_out={path}", "--benchmark_out_format=json",
+               f"--benchmark_repetitions={options.repetitions}"]
+    if options.repetitions > 1:
+        command.append("--benchmark_report_aggregates_only=true")
+    if options.quick:
+        command += ["--benchmark_min_time=0.01", f"--benchmark_filter={QUICK_KERNELS}"]
+    end = subprocess.run(command, stdout=sys.stderr, check=False)
+    if end.returncode != 0:
+        sys.exit(f"failed ({end.returncode}): {' '.join(command)}")
+    with open(path, encoding="utf-8") as file:
+        return tables.kernel_times(json.load(file))
+
+
+def targets(medians, kernels, presets):
+    """Rows of: work, target, what was measured with two threads. What was not measured is left out."""
+    rows = []
+
+    def add(work, target, value, unit, met):
+        rows.append([work, f"{target} {unit}",
+                     ("" if met else "**") + f"{tables.number(value)} {unit}" +
+                     ("" if met else "** ✗")])
+
+    def at_most(work, target, value, unit="s"):
+        if value is not None:
+            add(work, "≤ " + target, value, unit, value <= float(target))
+
+    def run(data_set, preset, threads=2):
+        return medians.get((data_set, preset, threads, "run"))
+
+    for preset, seconds in (("best", "4"), ("paper", "3")):
+        done = run(SMALL, preset)
+        if done:
+            at_most(f"bunny, {SMALL.title}, `{preset}`, whole process", seconds, done.whole)
+            at_most(f"each further view, `{preset}`", "0.4",
+                    further_view(medians, SMALL, preset, 2))
+            if run(SMALL, preset, 1):
+                ratio = run(SMALL, preset, 1).whole / done.whole
+                add(f"two threads against one, whole process, `{preset}`", "≥ 1.6", ratio, "times",
+                    ratio >= 1.6)
+    if run(SMALL, "best"):
+        at_most(f"depth maps, {SMALL.title}", "2.5", run(SMALL, "best").stages["depth maps"])
+    for data_set, seconds, gib in ((MIDDLE, "40", "2"), (LARGE, "80", "3")):
+        if run(data_set, "best"):
+            at_most(f"{data_set.title}, `best`, whole process", seconds,
+                    run(data_set, "best").whole)
+            at_most(f"{data_set.title}, `best`, memory", gib, run(data_set, "best").peak / 1024,
+                    "GiB")
+    for preset in presets:
+        at_most(f"texture alone, {SMALL.width}×{SMALL.height}, `{preset}`", "25",
+                kernels.get((f"texture/{preset}/views:12/width:640", 2)), "ms")
+    at_most(f"hull source, {SMALL.title}", "400",
+            kernels.get(("visual_hull/paper/views:12/width:640", 2)), "ms")
+    at_most("power crust, 35,000 samples", "1200", kernels.get(("power_crust/samples:35000", 2)),
+            "ms")
+    at_most("power crust, 140,000 samples", "6000", kernels.get(("power_crust/samples:140000", 2)),
+            "ms")
+    return tables.table(["work", "target", "measured"], rows) if rows else ""
+
+
+def heading(options, bench):
+    text = (f"{processor()}, {os.cpu_count()} cores; medians of {options.repetitions}"
+            f"{' (quick: too few and too small to go by)' if options.quick else ''}.")
+    if bench.log:
+        others = statistics.median(run["others"] for run in bench.log)
+        if others > 0.05:
+            text += f" Other processes took {100 * others:.0f} % of the processor meanwhile."
+            note(f"Not alone: other processes took {100 * others:.0f} % of the processor.")
+    return text + "\n\n"
+
+
+def growth_text(options, bench):
+    """Measures the growth; tables, plots and what is too steep."""
+    text = ""
+    measured = growth.measure(bench, options.quick, options.presets, max(options.threads),
+                              options.repetitions)
+    for preset, by_axis in measured.items():
+        fits = growth.fits(by_axis)
+        path = os.path.join(options.out, f"growth-{preset}.png")
+        growth.plot(by_axis, f"{preset}, {tables.plural(max(options.threads))}", path)
+        factors = "; ".join(f"{axis} {series[0][0]:,} to {series[-1][0]:,}"
+                            for axis, series in by_axis.items())
+        text += (f"Growth of `{preset}`, {tables.plural(max(options.threads))}: exponents of the "
+                 f"cost, over all / over the upper half of {factors}; ▲ above {growth.LIMIT}.\n\n")
+        text += tables.growth_table(fits)
+        for axis, by_stage in fits.items():
+            for stage, (whole, upper, steep) in by_stage.items():
+                if steep:
+                    note(f"too steep: {preset}, {stage} with {axis}: {whole:.2f}, {upper:.2f}")
+        note(f"plot: {path}")
+    return text
+
+
+def main():
+    options = arguments()
+    bench = Bench(options.program, options.out)
+    data_sets = QUICK if options.quick else [SMALL, MIDDLE, LARGE]
+    kernels, medians, text = {}, {}, ""
+    if "kernels" in options.parts:
+        kernels = run_kernels(options)
+    if "runs" in options.parts:
+        medians = whole_runs(bench, data_sets, options.presets, options.threads,
+                             options.repetitions)
+        for preset in options.presets:
+            text += tables.stage_table(medians, data_sets, preset, options.threads)
+    if kernels:
+        text += tables.kernel_table(kernels, options.threads)
+    text = targets(medians, kernels, options.presets) + text
+    if "growth" in options.parts:
+        text += growth_text(options, bench)
+    text = heading(options, bench) + text
+    tables.write_csv(os.path.join(options.out, "runs.csv"), bench.log)
+    for name, content in (("runs.json", json.dumps(bench.log, indent=1)), ("bench.md", text)):
+        with open(os.path.join(options.out, name), "w", encoding="utf-8") as file:
+            file.write(content)
+    print(text, end="")
+
+
+if __name__ == "__main__":
+    main()
