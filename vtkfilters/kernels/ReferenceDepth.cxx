@@ -66,7 +66,8 @@ PassResult MatchPass(const MatchImage& key, const Image<float>& base, const Imag
     {
       if (base(box.X0 + x, box.Y0 + y) > 0)
       {
-        result.Score(box.X0 + x, box.Y0 + y) = 1 - volume.Row(y, winner(box.X0 + x, box.Y0 + y))[x];
+        const float cost = volume.Row(y, winner(box.X0 + x, box.Y0 + y))[x];
+        result.Score(box.X0 + x, box.Y0 + y) = 1 - cost / MatchingVolume::Unit;
       }
     }
   }
