@@ -14,8 +14,9 @@ void KeepLeast(std::vector<std::vector<std::int16_t>>& ranks, std::vector<std::i
 {
   for (auto& rank : ranks)
   {
-    std::int16_t* __restrict kept = rank.data();
-    std::int16_t* __restrict cost = costs.data();
+    std::int16_t* kept = rank.data();
+    std::int16_t* cost = costs.data();
+#pragma GCC ivdep
     for (std::size_t x = 0; x < costs.size(); ++x)
     {
       const std::int16_t smaller = std::min(kept[x], cost[x]);
@@ -26,17 +27,21 @@ void KeepLeast(std::vector<std::vector<std::int16_t>>& ranks, std::vector<std::i
 }
 
 /** Rounded means over the ranks. */
-void MeanOfRanks(const std::vector<std::vector<std::int16_t>>& ranks, std::int16_t* out)
+void MeanOfRanks(
+  const std::vector<std::vector<std::int16_t>>& ranks, std::vector<float>& sums, std::int16_t* out)
 {
-  const int count = static_cast<int>(ranks.size());
-  for (std::size_t x = 0; x < ranks.front().size(); ++x)
+  std::fill(sums.begin(), sums.end(), 0.5f);
+  const float share = 1 / static_cast<float>(ranks.size());
+  for (const auto& rank : ranks)
   {
-    int sum = count / 2;
-    for (const auto& rank : ranks)
+    for (std::size_t x = 0; x < sums.size(); ++x)
     {
-      sum += rank[x];
+      sums[x] += share * static_cast<float>(rank[x]);
     }
-    out[x] = static_cast<std::int16_t>(sum / count);
+  }
+  for (std::size_t x = 0; x < sums.size(); ++x)
+  {
+    out[x] = static_cast<std::int16_t>(static_cast<std::int32_t>(sums[x]));
   }
 }
 
@@ -45,6 +50,7 @@ void MatchAtLabel(int label, std::vector<WindowSweep>& sweeps,
   std::vector<std::vector<std::int16_t>>& ranks, int radius, MatchingVolume& volume)
 {
   std::vector<std::int16_t> costs(volume.Box.Width());
+  std::vector<float> sums(volume.Box.Width());
   for (WindowSweep& sweep : sweeps)
   {
     sweep.Start(volume.Labels.Offset(label));
@@ -71,7 +77,7 @@ void MatchAtLabel(int label, std::vector<WindowSweep>& sweeps,
     }
     if (any)
     {
-      MeanOfRanks(ranks, volume.Row(y - radius, label));
+      MeanOfRanks(ranks, sums, volume.Row(y - radius, label));
     }
   }
 }

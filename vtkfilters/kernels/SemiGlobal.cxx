@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "MatchingVolume.h"
 
+#include "CpuClones.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -45,8 +47,9 @@ struct Arrivals
 };
 
 /** Goes one pixel further; the loops over a row are plain so that the compiler does many at once. */
-void Advance(const Arrivals& from, const Cost* __restrict cost, const Cost* __restrict mask,
-  Cost p1, Cost p2, int width, Cost* __restrict out, Cost* __restrict least, Cost* __restrict sum)
+NOVELVIEW_CLONES void Advance(const Arrivals& from, const Cost* __restrict cost,
+  const Cost* __restrict mask, Cost p1, Cost p2, int width, Cost* __restrict out,
+  Cost* __restrict least, Cost* __restrict sum)
 {
   for (int x = 0; x < width; ++x)
   {
@@ -61,8 +64,8 @@ void Advance(const Arrivals& from, const Cost* __restrict cost, const Cost* __re
 }
 
 /** The same along a row: one pixel, all labels. `before` and `out` have a place on both sides. */
-Cost AdvanceLabels(const Cost* __restrict before, const Cost* __restrict cost, Cost least, Cost p1,
-  Cost p2, int labels, Cost* __restrict out, Cost* __restrict sum)
+NOVELVIEW_CLONES Cost AdvanceLabels(const Cost* __restrict before, const Cost* __restrict cost,
+  Cost least, Cost p1, Cost p2, int labels, Cost* __restrict out, Cost* __restrict sum)
 {
   const Cost jump = static_cast<Cost>(least + p2);
   Cost nextLeast = Unreachable;

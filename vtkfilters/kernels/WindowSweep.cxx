@@ -2,7 +2,10 @@
 // The loops over a row are plain so that the compiler does several pixels at once.
 #include "WindowSweep.h"
 
+#include "CpuClones.h"
+
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 
@@ -10,18 +13,23 @@ namespace novelview
 {
 namespace
 {
-// Registers of several numbers; the compiler has the arithmetic built in.
+// Registers of several numbers; the compiler has the arithmetic built in. Numbers are widened by
+// putting zeros between them: of the conversions it makes a dozen instructions each.
+static_assert(std::endian::native == std::endian::little, "zeros go above the number");
 using Float4 = float __attribute__((vector_size(16)));
-using Short4 = std::int16_t __attribute__((vector_size(8)));
+using Int4 = std::int32_t __attribute__((vector_size(16)));
 using Short8 = std::int16_t __attribute__((vector_size(16)));
-using Byte8 = std::uint8_t __attribute__((vector_size(8)));
+using Byte16 = std::uint8_t __attribute__((vector_size(16)));
 
 /** Two pixels side by side. */
 Short8 LoadPair(const std::uint8_t* pixel)
 {
-  Byte8 bytes;
-  std::memcpy(&bytes, pixel, sizeof(bytes));
-  return __builtin_convertvector(bytes, Short8);
+  std::uint64_t both;
+  std::memcpy(&both, pixel, sizeof(both));
+  using Word2 = std::uint64_t __attribute__((vector_size(16)));
+  const Byte16 bytes = reinterpret_cast<Byte16>(Word2{ both, 0 });
+  const Byte16 order{ 0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23 };
+  return reinterpret_cast<Short8>(__builtin_shuffle(bytes, Byte16{}, order));
 }
 
 /** Bilinear R, G, B, luma, times 128. */
@@ -29,10 +37,12 @@ Float4 SamplePixel(const std::uint8_t* top, std::size_t stride, std::int16_t dow
 {
   const Short8 above = LoadPair(top);
   const Short8 column = above * 128 + (LoadPair(top + stride) - above) * down;
-  Short4 halves[2];
-  std::memcpy(halves, &column, sizeof(column));
-  const Float4 a = __builtin_convertvector(halves[0], Float4);
-  const Float4 b = __builtin_convertvector(halves[1], Float4);
+  const Short8 low{ 0, 8, 1, 9, 2, 10, 3, 11 };
+  const Short8 high{ 4, 12, 5, 13, 6, 14, 7, 15 };
+  const Float4 a = __builtin_convertvector(
+    reinterpret_cast<Int4>(__builtin_shuffle(column, Short8{}, low)), Float4);
+  const Float4 b = __builtin_convertvector(
+    reinterpret_cast<Int4>(__builtin_shuffle(column, Short8{}, high)), Float4);
   return a + right * (b - a);
 }
 
@@ -53,40 +63,36 @@ struct RayWay
   float Slope[3], Start[3], End[3];
 };
 
-void ProjectColumns(const RayRow& row, const RayWay& way, float offset, std::int32_t width,
-  std::int32_t height, int begin, int end)
+NOVELVIEW_CLONES void ProjectColumns(
+  RayRow row, RayWay way, float offset, std::int32_t width, std::int32_t height, int begin, int end)
 {
   const float maxX = static_cast<float>(width - 1);
   const float maxY = static_cast<float>(height - 1);
-  const float* __restrict base = row.Base;
-  const float* __restrict last = row.Last;
-  std::int32_t* __restrict first = row.First;
-  std::int32_t* __restrict nearest = row.Nearest;
-  std::int32_t* __restrict down = row.Down;
-  float* __restrict right = row.Right;
+#pragma GCC ivdep
   for (int i = begin; i < end; ++i)
   {
     const float column = static_cast<float>(i);
-    const float depth = base[i] + offset;
+    const float depth = row.Base[i] + offset;
     const float px = (way.Slope[0] * column + way.Start[0]) * depth + way.End[0];
     const float py = (way.Slope[1] * column + way.Start[1]) * depth + way.End[1];
     const float pz = (way.Slope[2] * column + way.Start[2]) * depth + way.End[2];
     const float x = px / pz;
     const float y = py / pz;
-    const bool meets = (base[i] > 0) & (offset <= last[i]) & (pz > 0) & (x >= 0) & (y >= 0) &
-      (x < maxX) & (y < maxY);
-    const float safeX = meets ? x : 0.f;
-    const float safeY = meets ? y : 0.f;
+    const bool meets = (row.Base[i] > 0) & (offset <= row.Last[i]) & (pz > 0) & (x >= 0) &
+      (y >= 0) & (x < maxX) & (y < maxY);
+    // Not a number, which is no less than 0 and no more, becomes 0.
+    const float safeX = std::min(std::max(0.f, x), maxX);
+    const float safeY = std::min(std::max(0.f, y), maxY);
     const auto x0 = static_cast<std::int32_t>(safeX);
     const auto y0 = static_cast<std::int32_t>(safeY);
     const float fx = safeX - static_cast<float>(x0);
     const float fy = safeY - static_cast<float>(y0);
     const std::int32_t pixel = y0 * width + x0;
     const std::int32_t near = pixel + (fx >= 0.5f ? 1 : 0) + (fy >= 0.5f ? width : 0);
-    first[i] = pixel;
-    nearest[i] = meets ? near : -1;
-    down[i] = static_cast<std::int32_t>(fy * 128);
-    right[i] = fx;
+    row.First[i] = pixel;
+    row.Nearest[i] = near | (static_cast<std::int32_t>(meets) - 1);
+    row.Down[i] = static_cast<std::int32_t>(fy * 128);
+    row.Right[i] = fx;
   }
 }
 
@@ -105,7 +111,7 @@ struct PairRow
   std::uint8_t* Difference;
 };
 
-void CompareColumns(const PairRow& row, float levelsPerGrey, int begin, int end)
+NOVELVIEW_CLONES void CompareColumns(PairRow row, float levelsPerGrey, int begin, int end)
 {
   constexpr float unit = 1.f / 128;
 #pragma GCC ivdep
@@ -126,8 +132,9 @@ void CompareColumns(const PairRow& row, float levelsPerGrey, int begin, int end)
 }
 
 /** sums[i] += entering[i] - leaving[i]. */
-void AddChange(std::uint16_t* __restrict sums, const std::uint8_t* __restrict entering,
-  const std::uint8_t* __restrict leaving, int begin, int end)
+NOVELVIEW_CLONES void AddChange(std::uint16_t* __restrict sums,
+  const std::uint8_t* __restrict entering, const std::uint8_t* __restrict leaving, int begin,
+  int end)
 {
   for (int i = begin; i < end; ++i)
   {
@@ -136,9 +143,10 @@ void AddChange(std::uint16_t* __restrict sums, const std::uint8_t* __restrict en
 }
 
 /** The same for products of two factors. */
-void AddChange(std::int32_t* __restrict sums, const std::uint8_t* __restrict enteringA,
-  const std::uint8_t* __restrict enteringB, const std::uint8_t* __restrict leavingA,
-  const std::uint8_t* __restrict leavingB, int begin, int end)
+NOVELVIEW_CLONES void AddChange(std::int32_t* __restrict sums,
+  const std::uint8_t* __restrict enteringA, const std::uint8_t* __restrict enteringB,
+  const std::uint8_t* __restrict leavingA, const std::uint8_t* __restrict leavingB, int begin,
+  int end)
 {
   for (int i = begin; i < end; ++i)
   {
@@ -156,9 +164,9 @@ struct CostRule
   float Noise;
 };
 
-/** Sum over the window's columns; side = 0 if it is known only when the program runs. */
+/** Sum over the window's columns; KnownSide = 0 if it is known only when the program runs. */
 template <int KnownSide, class T>
-T AcrossWindow(const T* columns, int side)
+[[gnu::always_inline]] inline T AcrossWindow(const T* columns, int side)
 {
   T sum = columns[0];
   for (int k = 1; k < (KnownSide ? KnownSide : side); ++k)
@@ -181,8 +189,8 @@ struct ColumnSums
 };
 
 template <int KnownSide>
-void CostsOfColumns(const ColumnSums& sums, const CostRule& rule, int side, int begin, int end,
-  std::int16_t* __restrict costs)
+[[gnu::always_inline]] inline void CostsAtSide(const ColumnSums& sums, const CostRule& rule,
+  int side, int begin, int end, std::int16_t* __restrict costs)
 {
   constexpr float unit = MatchingVolume::Unit;
   for (int i = begin; i < end; ++i)
@@ -202,6 +210,18 @@ void CostsOfColumns(const ColumnSums& sums, const CostRule& rule, int side, int 
       (1 - rule.ShareOfColor) * 0.5f * (1 - correlation) + rule.ShareOfColor * difference;
     costs[i] = static_cast<std::int16_t>(
       static_cast<std::int32_t>(n < rule.LeastCount ? unit : unit * cost + 0.5f));
+  }
+}
+NOVELVIEW_CLONES void CostsOfColumns(
+  const ColumnSums& sums, const CostRule& rule, int side, int begin, int end, std::int16_t* costs)
+{
+  if (side == 5)
+  {
+    CostsAtSide<5>(sums, rule, side, begin, end, costs);
+  }
+  else
+  {
+    CostsAtSide<0>(sums, rule, side, begin, end, costs);
   }
 }
 }
@@ -345,17 +365,21 @@ void WindowSweep::Gather(const KeyRows::Span& span)
 {
   const std::uint8_t* pixels = this->Other.Pixels.Values.data();
   const std::size_t stride = 4 * static_cast<std::size_t>(this->Other.Pixels.Width);
+  const std::int32_t* first = this->Hit.First.data();
+  const std::int32_t* down = this->Hit.Down.data();
+  const float* right = this->Hit.Right.data();
+  std::int32_t* nearest = this->Hit.Nearest.data();
+  float* picked = this->Picked.data();
   for (int i = span.Begin; i < span.End; ++i)
   {
-    std::int32_t& nearest = this->Hit.Nearest[i];
-    if (nearest < 0 || pixels[4 * static_cast<std::size_t>(nearest) + 3] == 0)
+    if (nearest[i] < 0 || pixels[4 * static_cast<std::size_t>(nearest[i]) + 3] == 0)
     {
-      nearest = -1;
+      nearest[i] = -1;
       continue;
     }
-    const Float4 picked = SamplePixel(pixels + 4 * static_cast<std::size_t>(this->Hit.First[i]),
-      stride, static_cast<std::int16_t>(this->Hit.Down[i]), this->Hit.Right[i]);
-    std::memcpy(this->Picked.data() + 4 * i, &picked, sizeof(picked));
+    const Float4 pixel = SamplePixel(pixels + 4 * static_cast<std::size_t>(first[i]), stride,
+      static_cast<std::int16_t>(down[i]), right[i]);
+    std::memcpy(picked + 4 * i, &pixel, sizeof(pixel));
   }
 }
 
@@ -409,8 +433,7 @@ bool WindowSweep::Costs(std::int16_t* costs)
     sum.Key2.data(), sum.Other2.data(), sum.Product.data() };
   const CostRule rule{ static_cast<float>((this->Side * this->Side + 3) / 4), this->ShareOfColor,
     this->Noise };
-  (this->Side == 5 ? CostsOfColumns<5> : CostsOfColumns<0>)(sums, rule, this->Side, begin, end,
-    costs);
+  CostsOfColumns(sums, rule, this->Side, begin, end, costs);
   return true;
 }
 }
