@@ -20,7 +20,7 @@ void KeepLeast(std::vector<std::vector<std::int16_t>>& ranks, std::vector<std::i
     for (std::size_t x = 0; x < costs.size(); ++x)
     {
       const std::int16_t smaller = std::min(kept[x], cost[x]);
-      cost[x] = std::max(kept[x], cost[x]);
+      cost[x] = static_cast<std::int16_t>(kept[x] + cost[x] - smaller); // the larger
       kept[x] = smaller;
     }
   }

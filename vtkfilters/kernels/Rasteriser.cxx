@@ -49,9 +49,10 @@ std::pair<int, int> PixelRange(double low, double high, int size)
                        : std::make_pair(0, -1);
 }
 
-/** Draws the part of one triangle that lies in rows [rowBegin, rowEnd). */
-void DrawTriangle(const std::array<ProjectedPoint, 3>& p, int cellId, int rowBegin, int rowEnd,
-  KeepSurface keep, ItemBuffer& buffer)
+/** Calls take(x, y, depth) for the pixels of one triangle in rows [rowBegin, rowEnd). */
+template <class Take>
+void DrawTriangle(
+  const std::array<ProjectedPoint, 3>& p, int width, int rowBegin, int rowEnd, const Take& take)
 {
   const double area = (p[1].X - p[0].X) * (p[2].Y - p[0].Y) - (p[2].X - p[0].X) * (p[1].Y - p[0].Y);
   if (area == 0 || !std::isfinite(area))
@@ -60,10 +61,9 @@ void DrawTriangle(const std::array<ProjectedPoint, 3>& p, int cellId, int rowBeg
   }
   const auto [xMin, xMax] = std::minmax({ p[0].X, p[1].X, p[2].X });
   const auto [yMin, yMax] = std::minmax({ p[0].Y, p[1].Y, p[2].Y });
-  const auto [x0, x1] = PixelRange(xMin, xMax, buffer.CellId.Width);
-  auto [y0, y1] = PixelRange(yMin, yMax, buffer.CellId.Height);
+  const auto [x0, x1] = PixelRange(xMin, xMax, width);
+  auto [y0, y1] = PixelRange(yMin, yMax, rowEnd);
   y0 = std::max(y0, rowBegin);
-  y1 = std::min(y1, rowEnd - 1);
   for (int y = y0; y <= y1; ++y)
   {
     for (int x = x0; x <= x1; ++x)
@@ -71,32 +71,25 @@ void DrawTriangle(const std::array<ProjectedPoint, 3>& p, int cellId, int rowBeg
       const double w0 = ((p[1].X - x) * (p[2].Y - y) - (p[2].X - x) * (p[1].Y - y)) / area;
       const double w1 = ((p[2].X - x) * (p[0].Y - y) - (p[0].X - x) * (p[2].Y - y)) / area;
       const double w2 = ((p[0].X - x) * (p[1].Y - y) - (p[1].X - x) * (p[0].Y - y)) / area;
-      if (w0 < 0 || w1 < 0 || w2 < 0)
+      if (w0 >= 0 && w1 >= 0 && w2 >= 0)
       {
-        continue;
-      }
-      const float depth = static_cast<float>((w0 + w1 + w2) /
-        (w0 * p[0].InverseDepth + w1 * p[1].InverseDepth + w2 * p[2].InverseDepth));
-      // Triangles come in the order of their ids, so "nearer" alone lets the lowest id win ties.
-      const float before = buffer.Depth(x, y);
-      if (keep == KeepSurface::Nearest ? depth < before : !(depth <= before && before < NoDepth))
-      {
-        buffer.Depth(x, y) = depth;
-        buffer.CellId(x, y) = cellId;
+        take(x, y,
+          static_cast<float>((w0 + w1 + w2) /
+            (w0 * p[0].InverseDepth + w1 * p[1].InverseDepth + w2 * p[2].InverseDepth)));
       }
     }
   }
 }
-}
 
-ItemBuffer Rasterise(
-  const TriangleMesh& mesh, const Camera& camera, const Execution& execution, KeepSurface keep)
+/**
+ * Calls take(x, y, depth, cellId) for every pixel of every triangle; in parallel, but for each pixel
+ * one after the other in the order of the triangles' ids.
+ */
+template <class Take>
+void DrawMesh(
+  const TriangleMesh& mesh, const Camera& camera, const Execution& execution, const Take& take)
 {
-  ItemBuffer buffer;
-  buffer.CellId = Image<int>(camera.Width, camera.Height, 1, -1);
-  buffer.Depth = Image<float>(camera.Width, camera.Height, 1, NoDepth);
   const std::vector<ProjectedPoint> projected = ProjectAll(mesh, camera, execution);
-
   const int bands = (camera.Height + BandRows - 1) / BandRows;
   std::vector<std::vector<int>> cellsOfBand(bands);
   for (std::size_t cellId = 0; cellId < mesh.Triangles.size(); ++cellId)
@@ -123,11 +116,44 @@ ItemBuffer Rasterise(
       for (const int cellId : cellsOfBand[band])
       {
         const Eigen::Vector3i& t = mesh.Triangles[cellId];
-        DrawTriangle({ projected[t[0]], projected[t[1]], projected[t[2]] }, cellId, rowBegin,
-          rowEnd, keep, buffer);
+        DrawTriangle({ projected[t[0]], projected[t[1]], projected[t[2]] }, camera.Width, rowBegin,
+          rowEnd, [&](int x, int y, float depth) { take(x, y, depth, cellId); });
+      }
+    });
+}
+}
+
+ItemBuffer Rasterise(const TriangleMesh& mesh, const Camera& camera, const Execution& execution)
+{
+  ItemBuffer buffer;
+  buffer.CellId = Image<int>(camera.Width, camera.Height, 1, -1);
+  buffer.Depth = Image<float>(camera.Width, camera.Height, 1, NoDepth);
+  DrawMesh(mesh, camera, execution,
+    [&](int x, int y, float depth, int cellId)
+    {
+      // Triangles come in the order of their ids, so "nearer" alone lets the lowest id win ties.
+      if (depth < buffer.Depth(x, y))
+      {
+        buffer.Depth(x, y) = depth;
+        buffer.CellId(x, y) = cellId;
       }
     });
   return buffer;
+}
+
+DepthRange RasteriseRange(
+  const TriangleMesh& mesh, const Camera& camera, const Execution& execution)
+{
+  DepthRange range;
+  range.Nearest = Image<float>(camera.Width, camera.Height, 1, NoDepth);
+  range.Farthest = Image<float>(camera.Width, camera.Height, 1, 0.f);
+  DrawMesh(mesh, camera, execution,
+    [&](int x, int y, float depth, int)
+    {
+      range.Nearest(x, y) = std::min(range.Nearest(x, y), depth);
+      range.Farthest(x, y) = std::max(range.Farthest(x, y), depth);
+    });
+  return range;
 }
 
 double DepthBehind(const ImageRef<const float>& depth, const Eigen::Vector2d& pixel, double z)

@@ -23,14 +23,14 @@ struct HullInterval
 
 HullInterval IntervalOf(const TriangleMesh& hull, const MatchImage& image)
 {
-  HullInterval interval;
-  interval.Front = Rasterise(hull, image.Cam).Depth;
-  interval.Thickness = Rasterise(hull, image.Cam, {}, KeepSurface::Farthest).Depth;
+  DepthRange range = RasteriseRange(hull, image.Cam);
+  HullInterval interval{ std::move(range.Nearest), std::move(range.Farthest) };
   for (std::size_t i = 0; i < interval.Front.Values.size(); ++i)
   {
     float& front = interval.Front.Values[i];
+    float& thickness = interval.Thickness.Values[i];
     const bool takes = std::isfinite(front) && image.Pixels.Values[4 * i + 3] > 0;
-    interval.Thickness.Values[i] = takes ? interval.Thickness.Values[i] - front : 0.f;
+    thickness = takes ? thickness - front : 0.f;
     front = takes ? front : 0.f;
   }
   return interval;
