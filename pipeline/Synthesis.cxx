@@ -303,6 +303,7 @@ private:
 
   void RunDeformer(const std::string& stage, vtkViewDeformer* filter, Stage step)
   {
+    vtkNew<vtkCallbackCommand> command;
     struct Context
     {
       Internals* Self;

@@ -81,7 +81,7 @@ int vtkReferenceDepthEstimator::RequestData(
       options.CoarseLastPx = this->SearchDepth;
       options.Match.WindowRadius = this->WindowRadius;
       options.Match.ColorShare = this->ColorShare;
-      const auto depths =
+      auto depths =
         novelview::EstimateReferenceDepths(views, hull, options, novelview::ExecutionFor(this));
 
       vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputs);
@@ -92,6 +92,7 @@ int vtkReferenceDepthEstimator::RequestData(
         novelview::CopyToArray(depths[viewId].Depth, novelview::arrays::Depth, image);
         novelview::CopyToArray(depths[viewId].Confidence, novelview::arrays::Confidence, image);
         novelview::AppendView(output, views[viewId].Name, image, views[viewId].Cam);
+        depths[viewId] = {}; // large photographs, and many of them, should not be held twice
       }
       AttachComparisons(output, hull, novelview::ExecutionFor(this));
     });

@@ -53,7 +53,7 @@ TEST(Rasteriser, AgreesWithRayCastingOnATriangleSoup)
   const TriangleMesh mesh = TriangleSoup(80, 0.6, 1);
   const Camera camera = SkewedCamera();
   const ItemBuffer nearest = Rasterise(mesh, camera);
-  const ItemBuffer farthest = Rasterise(mesh, camera, {}, KeepSurface::Farthest);
+  const DepthRange range = RasteriseRange(mesh, camera);
   int compared = 0;
   for (int y = 0; y < camera.Height; ++y)
   {
@@ -68,14 +68,15 @@ TEST(Rasteriser, AgreesWithRayCastingOnATriangleSoup)
       if (rays.Hits.empty())
       {
         EXPECT_EQ(nearest.CellId(x, y), -1);
-        EXPECT_EQ(farthest.Depth(x, y), std::numeric_limits<float>::infinity());
+        EXPECT_EQ(range.Nearest(x, y), std::numeric_limits<float>::infinity());
+        EXPECT_EQ(range.Farthest(x, y), 0);
         continue;
       }
       EXPECT_EQ(nearest.CellId(x, y), rays.Hits.front().second);
-      EXPECT_EQ(farthest.CellId(x, y), rays.Hits.back().second);
+      EXPECT_EQ(range.Nearest(x, y), nearest.Depth(x, y));
       // Depths are stored as float: seven digits.
       EXPECT_NEAR(nearest.Depth(x, y), rays.Hits.front().first, 4e-6);
-      EXPECT_NEAR(farthest.Depth(x, y), rays.Hits.back().first, 4e-6);
+      EXPECT_NEAR(range.Farthest(x, y), rays.Hits.back().first, 4e-6);
     }
   }
   EXPECT_GT(compared, 64 * 48 * 9 / 10);
@@ -107,11 +108,8 @@ TEST(Rasteriser, TheLowestIdWinsATie)
 {
   TriangleMesh mesh = RectangleMesh(5, 5);
   mesh.Triangles = { mesh.Triangles[1], mesh.Triangles[0], mesh.Triangles[0], mesh.Triangles[1] };
-  for (const KeepSurface keep : { KeepSurface::Nearest, KeepSurface::Farthest })
-  {
-    const ItemBuffer buffer = Rasterise(mesh, SkewedCamera(), {}, keep);
-    EXPECT_THAT(buffer.CellId.Values, testing::Each(testing::AnyOf(0, 1)));
-  }
+  const ItemBuffer buffer = Rasterise(mesh, SkewedCamera());
+  EXPECT_THAT(buffer.CellId.Values, testing::Each(testing::AnyOf(0, 1)));
 }
 
 TEST(Rasteriser, DrawsBothSidesAndSkipsWhatReachesBehindTheCamera)

@@ -10,6 +10,17 @@ using namespace support;
 
 namespace
 {
+std::int16_t InUnits(float cost)
+{
+  return static_cast<std::int16_t>(std::lround(cost * MatchingVolume::Unit));
+}
+
+/** The cost of a label at a pixel of the box. */
+float CostAt(const MatchingVolume& volume, int x, int y, int label)
+{
+  return static_cast<float>(volume.Row(y, label)[x]) / MatchingVolume::Unit;
+}
+
 /** A volume of one row with the given costs: costs[x][label]. */
 MatchingVolume OneRow(const std::vector<std::vector<float>>& costs)
 {
@@ -21,7 +32,7 @@ MatchingVolume OneRow(const std::vector<std::vector<float>>& costs)
   {
     for (std::size_t label = 0; label < costs[x].size(); ++label)
     {
-      volume.Row(0, static_cast<int>(label))[x] = costs[x][label];
+      volume.Row(0, static_cast<int>(label))[x] = InUnits(costs[x][label]);
     }
   }
   return volume;
@@ -90,10 +101,10 @@ TEST(MatchingVolume, TheLeastCostIsAtTheTrueDepthOfAPlane)
       int best = 0;
       for (int label = 0; label < labels.Count; ++label)
       {
-        const float cost = volume.Row(y, label)[x];
+        const float cost = CostAt(volume, x, y, label);
         EXPECT_GE(cost, 0);
         EXPECT_LE(cost, 1);
-        best = cost < volume.Row(y, best)[x] ? label : best;
+        best = cost < CostAt(volume, x, y, best) ? label : best;
       }
       ++total;
       right += best == 5;
@@ -112,10 +123,10 @@ TEST(MatchingVolume, NothingIsMatchedBeyondTheLastOffset)
   const OffsetLabels labels{ 0, 0.1, 2 };
   const PixelBox box{ 70, 50, 90, 70 };
   const auto volume = MatchNeighbours(key, photos[0].TrueDepth, last, { &other }, box, labels, {});
-  EXPECT_LT(volume.Row(10, 0)[10], 0.2f);
-  EXPECT_EQ(volume.Row(10, 1)[10], 1.f);
+  EXPECT_LT(CostAt(volume, 10, 10, 0), 0.2f);
+  EXPECT_EQ(CostAt(volume, 10, 10, 1), 1.f);
   const auto alone = MatchNeighbours(key, photos[0].TrueDepth, last, {}, box, labels, {});
-  EXPECT_THAT(alone.Costs, testing::Each(1.f));
+  EXPECT_THAT(alone.Costs, testing::Each(MatchingVolume::Unit));
 }
 
 TEST(SemiGlobal, WithoutPenaltiesEveryDirectionAddsTheCostsThemselves)
@@ -125,7 +136,7 @@ TEST(SemiGlobal, WithoutPenaltiesEveryDirectionAddsTheCostsThemselves)
   const auto sums = AggregateSemiGlobally(volume, base, { 0, 0 });
   for (std::size_t i = 0; i < volume.Costs.size(); ++i)
   {
-    EXPECT_NEAR(sums.Costs[i], 8 * volume.Costs[i], 1e-5);
+    EXPECT_EQ(sums.Costs[i], 8 * volume.Costs[i]);
   }
 }
 

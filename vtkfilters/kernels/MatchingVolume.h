@@ -51,19 +51,21 @@ struct MatchOptions
   double Noise = 12;           ///< variance added to the correlation's denominators
 };
 
-/** Costs 0 to 1 of every offset at every pixel of a box: ((y * Labels + label) * Width + x). */
+/** Costs of every offset at every pixel of a box: ((y * Labels + label) * Width + x). */
 struct MatchingVolume
 {
+  static constexpr int Unit = 1024; ///< stands for a cost of 1
+
   PixelBox Box;
   OffsetLabels Labels;
-  std::vector<float> Costs;
+  std::vector<std::int16_t> Costs;
 
-  float* Row(int y, int label)
+  std::int16_t* Row(int y, int label)
   {
     return this->Costs.data() +
       (static_cast<std::size_t>(y) * this->Labels.Count + label) * this->Box.Width();
   }
-  const float* Row(int y, int label) const
+  const std::int16_t* Row(int y, int label) const
   {
     return const_cast<MatchingVolume*>(this)->Row(y, label);
   }

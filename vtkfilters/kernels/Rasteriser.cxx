@@ -154,14 +154,15 @@ private:
   std::vector<ProjectedPoint> Points;
   std::vector<std::vector<int>> CellsOfBand;
 };
-}
 
-ItemBuffer Rasterise(
-  const TriangleMesh& mesh, const Camera& camera, const Execution& execution, KeepSurface keep)
+/**
+ * Calls take(x, y, depth, cellId) for every pixel of every triangle; in parallel, but for each pixel
+ * one after the other in the order of the triangles' ids.
+ */
+template <class Take>
+void DrawMesh(
+  const TriangleMesh& mesh, const Camera& camera, const Execution& execution, const Take& take)
 {
-  ItemBuffer buffer;
-  buffer.CellId = Image<int>(camera.Width, camera.Height, 1, -1);
-  buffer.Depth = Image<float>(camera.Width, camera.Height, 1, NoDepth);
   const TriangleBands bands(mesh, camera, 0, execution);
   bands.ForEach(
     [&](int cellId, const ProjectedTriangle& triangle, const PixelBox& box)
@@ -170,20 +171,47 @@ ItemBuffer Rasterise(
       {
         for (int x = box.XBegin; x < box.XEnd; ++x)
         {
-          const float depth = triangle.DepthAt(x, y);
-          const float before = buffer.Depth(x, y);
-          // Triangles come in the order of their ids, so "nearer" alone lets the lowest id win ties.
-          if (keep == KeepSurface::Nearest
-              ? depth < before
-              : depth < NoDepth && !(depth <= before && before < NoDepth))
+          if (const float depth = triangle.DepthAt(x, y); depth < NoDepth)
           {
-            buffer.Depth(x, y) = depth;
-            buffer.CellId(x, y) = cellId;
+            take(x, y, depth, cellId);
           }
         }
       }
     });
+}
+}
+
+ItemBuffer Rasterise(const TriangleMesh& mesh, const Camera& camera, const Execution& execution)
+{
+  ItemBuffer buffer;
+  buffer.CellId = Image<int>(camera.Width, camera.Height, 1, -1);
+  buffer.Depth = Image<float>(camera.Width, camera.Height, 1, NoDepth);
+  DrawMesh(mesh, camera, execution,
+    [&](int x, int y, float depth, int cellId)
+    {
+      // Triangles come in the order of their ids, so "nearer" alone lets the lowest id win ties.
+      if (depth < buffer.Depth(x, y))
+      {
+        buffer.Depth(x, y) = depth;
+        buffer.CellId(x, y) = cellId;
+      }
+    });
   return buffer;
+}
+
+DepthRange RasteriseRange(
+  const TriangleMesh& mesh, const Camera& camera, const Execution& execution)
+{
+  DepthRange range;
+  range.Nearest = Image<float>(camera.Width, camera.Height, 1, NoDepth);
+  range.Farthest = Image<float>(camera.Width, camera.Height, 1, 0.f);
+  DrawMesh(mesh, camera, execution,
+    [&](int x, int y, float depth, int)
+    {
+      range.Nearest(x, y) = std::min(range.Nearest(x, y), depth);
+      range.Farthest(x, y) = std::max(range.Farthest(x, y), depth);
+    });
+  return range;
 }
 
 SubRays RasteriseSubRays(const TriangleMesh& mesh, const Camera& camera,

@@ -21,23 +21,27 @@ struct ItemBuffer
   bool Hit(int x, int y) const { return this->CellId(x, y) >= 0; }
 };
 
-/** Which of the triangles over a pixel is kept. */
-enum class KeepSurface
-{
-  Nearest,
-  Farthest
-};
-
 /**
  * Rasterises a mesh into a camera's frame. A pixel belongs to a triangle when its centre lies in
- * the projected triangle (edges included); the nearest (or farthest) triangle wins, the lowest id among equals.
+ * the projected triangle (edges included); the nearest triangle wins, the lowest id among equals.
  * Triangles of both orientations are drawn. Triangles with a corner at or behind the camera's plane
  * are left out.
  *
  * Exact in depth (1/z is linear in the picture) and the same bits for any number of threads.
  */
-ItemBuffer Rasterise(const TriangleMesh& mesh, const Camera& camera,
-  const Execution& execution = {}, KeepSurface keep = KeepSurface::Nearest);
+ItemBuffer Rasterise(
+  const TriangleMesh& mesh, const Camera& camera, const Execution& execution = {});
+
+/** Between which depths a mesh lies, per pixel. */
+struct DepthRange
+{
+  Image<float> Nearest;  ///< infinity = background
+  Image<float> Farthest; ///< 0 = background
+};
+
+/** The same, but of all triangles over a pixel the nearest and the farthest depth. */
+DepthRange RasteriseRange(
+  const TriangleMesh& mesh, const Camera& camera, const Execution& execution = {});
 
 /**
  * How much deeper a point at depth z that projects to `pixel` lies than the surface a depth image

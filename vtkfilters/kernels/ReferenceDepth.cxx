@@ -23,14 +23,14 @@ struct HullInterval
 
 HullInterval IntervalOf(const TriangleMesh& hull, const MatchImage& image)
 {
-  HullInterval interval;
-  interval.Front = Rasterise(hull, image.Cam).Depth;
-  interval.Thickness = Rasterise(hull, image.Cam, {}, KeepSurface::Farthest).Depth;
+  DepthRange range = RasteriseRange(hull, image.Cam);
+  HullInterval interval{ std::move(range.Nearest), std::move(range.Farthest) };
   for (std::size_t i = 0; i < interval.Front.Values.size(); ++i)
   {
     float& front = interval.Front.Values[i];
+    float& thickness = interval.Thickness.Values[i];
     const bool takes = std::isfinite(front) && image.Pixels.Values[4 * i + 3] > 0;
-    interval.Thickness.Values[i] = takes ? interval.Thickness.Values[i] - front : 0.f;
+    thickness = takes ? thickness - front : 0.f;
     front = takes ? front : 0.f;
   }
   return interval;
@@ -66,7 +66,8 @@ PassResult MatchPass(const MatchImage& key, const Image<float>& base, const Imag
     {
       if (base(box.X0 + x, box.Y0 + y) > 0)
       {
-        result.Score(box.X0 + x, box.Y0 + y) = 1 - volume.Row(y, winner(box.X0 + x, box.Y0 + y))[x];
+        const float cost = volume.Row(y, winner(box.X0 + x, box.Y0 + y))[x];
+        result.Score(box.X0 + x, box.Y0 + y) = 1 - cost / MatchingVolume::Unit;
       }
     }
   }
@@ -145,19 +146,6 @@ void FillKnown(Image<float>& image, const MatchImage& mask)
   }
 }
 
-/** Points the views at these maps. */
-std::vector<View> WithMaps(const std::vector<View>& views, const std::vector<Image<float>>& depths,
-  const std::vector<Image<float>>& confidences)
-{
-  std::vector<View> result = views;
-  for (std::size_t i = 0; i < views.size(); ++i)
-  {
-    result[i].DepthMap = depths[i].Ref();
-    result[i].Confidence = confidences[i].Ref();
-  }
-  return result;
-}
-
 class Estimator
 {
 public:
@@ -168,13 +156,11 @@ public:
     , Options(options)
     , Run(execution)
     , Count(static_cast<std::int64_t>(views.size()))
+    , Footprint(MedianFootprint(views, hull.Points))
     , Neighbours(NearestNeighbours(views, options.Neighbours))
-    , Half(views.size())
     , Depths(views.size())
-    , Scores(views.size())
     , Confidences(views.size())
   {
-    this->Footprint = MedianFootprint(views, hull.Points);
     const double leastCosine = std::cos(options.MaxAngleDeg * EIGEN_PI / 180);
     for (std::size_t i = 0; i < views.size(); ++i)
     {
@@ -196,16 +182,9 @@ public:
       }
       return result;
     }
-    this->Run.ForEach(
-      this->Count, [&](std::int64_t i) { this->Half[i] = MakeMatchImage(this->Views[i], 2); });
-    this->InBatches(0.0, 0.25, [&](std::int64_t i) { this->CoarsePass(i); });
-    this->Rate();
-    this->FuseBases();
-    this->Run.Report(0.4);
-    std::vector<MatchImage> full(this->Views.size());
-    this->Run.ForEach(
-      this->Count, [&](std::int64_t i) { full[i] = MakeMatchImage(this->Views[i], 1); });
-    this->InBatches(0.4, 0.95, [&](std::int64_t i) { this->FinePass(i, full); });
+    const std::vector<Image<float>> bases = this->FusedBases();
+    const std::vector<MatchImage> images = this->Reduced(1);
+    this->InBatches(0.4, 0.95, [&](std::int64_t i) { this->FinePass(i, images, bases[i]); });
     this->Rate();
     for (std::size_t i = 0; i < result.size(); ++i)
     {
@@ -229,6 +208,14 @@ private:
     }
   }
 
+  std::vector<MatchImage> Reduced(int reduction) const
+  {
+    std::vector<MatchImage> images(this->Views.size());
+    this->Run.ForEach(
+      this->Count, [&](std::int64_t i) { images[i] = MakeMatchImage(this->Views[i], reduction); });
+    return images;
+  }
+
   std::vector<const MatchImage*> NeighbourImages(
     std::int64_t i, const std::vector<MatchImage>& images) const
   {
@@ -240,9 +227,35 @@ private:
     return result;
   }
 
-  void CoarsePass(std::int64_t i)
+  /** The first pass: the fused surface as each photograph sees it, at half resolution. */
+  std::vector<Image<float>> FusedBases()
   {
-    const HullInterval interval = IntervalOf(this->Hull, this->Half[i]);
+    const std::vector<MatchImage> images = this->Reduced(2);
+    std::vector<HullInterval> intervals(images.size());
+    this->InBatches(0.0, 0.25,
+      [&](std::int64_t i)
+      {
+        intervals[i] = IntervalOf(this->Hull, images[i]);
+        this->CoarsePass(i, images, intervals[i]);
+      });
+    this->EnlargeMaps();
+    this->Rate();
+    std::vector<View> views = this->Views;
+    for (std::size_t i = 0; i < views.size(); ++i)
+    {
+      views[i].DepthMap = this->Depths[i].Ref();
+      views[i].Confidence = this->Confidences[i].Ref();
+    }
+    const FusedField field(views, this->Options.Fusion, this->Footprint);
+    std::vector<Image<float>> bases(images.size());
+    this->InBatches(0.25, 0.4,
+      [&](std::int64_t i) { bases[i] = this->SeenFrom(images[i], intervals[i], field); });
+    return bases;
+  }
+
+  void CoarsePass(
+    std::int64_t i, const std::vector<MatchImage>& images, const HullInterval& interval)
+  {
     const float thickest =
       *std::max_element(interval.Thickness.Values.begin(), interval.Thickness.Values.end());
     OffsetLabels labels;
@@ -250,13 +263,73 @@ private:
     labels.Step = this->Options.CoarseStepPx * this->Footprint;
     const double last = std::min<double>(thickest, this->Options.CoarseLastPx * this->Footprint);
     labels.Count = std::clamp(static_cast<int>((last - labels.First) / labels.Step) + 1, 1, 255);
-    const PassResult pass = MatchPass(this->Half[i], interval.Front, interval.Thickness,
-      this->NeighbourImages(i, this->Half), labels, this->Options);
-    const int width = this->Views[i].Cam.Width;
-    const int height = this->Views[i].Cam.Height;
+    this->Keep(i,
+      MatchPass(images[i], interval.Front, interval.Thickness, this->NeighbourImages(i, images),
+        labels, this->Options));
+  }
+
+  /** To full size: rated and fused at half of it, thin parts are lost. */
+  void EnlargeMaps()
+  {
     const float jump = static_cast<float>(3 * this->Footprint);
-    this->Depths[i] = Enlarged(pass.Depth, width, height, jump);
-    this->Scores[i] = Enlarged(pass.Score, width, height, 0.f);
+    this->Run.ForEach(this->Count,
+      [&](std::int64_t i)
+      {
+        const Camera& camera = this->Views[i].Cam;
+        this->Depths[i] = Enlarged(this->Depths[i], camera.Width, camera.Height, jump);
+        this->Confidences[i] = Enlarged(this->Confidences[i], camera.Width, camera.Height, 0.f);
+      });
+  }
+
+  Image<float> SeenFrom(
+    const MatchImage& image, const HullInterval& interval, const FusedField& field) const
+  {
+    Image<float> base(image.Cam.Width, image.Cam.Height);
+    const Vector3d centre = image.Cam.Centre();
+    for (int y = 0; y < base.Height; ++y)
+    {
+      for (int x = 0; x < base.Width; ++x)
+      {
+        const double front = interval.Front(x, y);
+        if (front <= 0)
+        {
+          continue;
+        }
+        // With a direction of unit depth the ray's parameter is the depth itself.
+        const Vector3d direction = image.Cam.Unproject(Vector2d(x, y), 1) - centre;
+        const auto met = field.Walk(centre, direction, front - 1.5 * this->Footprint,
+          front + interval.Thickness(x, y), this->Options.CoarseStepPx * this->Footprint);
+        base(x, y) = static_cast<float>(met.Surface.value_or(0));
+      }
+    }
+    FillKnown(base, image);
+    return MedianOfKnown(base, 2);
+  }
+
+  void FinePass(std::int64_t i, const std::vector<MatchImage>& images, const Image<float>& halfBase)
+  {
+    const MatchImage& image = images[i];
+    Image<float> base = Enlarged(
+      halfBase, image.Cam.Width, image.Cam.Height, static_cast<float>(6 * this->Footprint));
+    FillKnown(base, image);
+    for (std::size_t n = 0; n < base.Values.size(); ++n)
+    {
+      base.Values[n] = image.Pixels.Values[4 * n + 3] > 0 ? base.Values[n] : 0.f;
+    }
+    OffsetLabels labels;
+    labels.First = -this->Options.FineRangePx * this->Footprint;
+    labels.Step = this->Options.FineStepPx * this->Footprint;
+    labels.Count = 2 * static_cast<int>(this->Options.FineRangePx / this->Options.FineStepPx) + 1;
+    const Image<float> last(base.Width, base.Height, 1, static_cast<float>(1e30));
+    this->Keep(
+      i, MatchPass(image, base, last, this->NeighbourImages(i, images), labels, this->Options));
+  }
+
+  /** The photo score stands in the place of the confidence until all depths are known. */
+  void Keep(std::int64_t i, PassResult&& pass)
+  {
+    this->Depths[i] = std::move(pass.Depth);
+    this->Confidences[i] = std::move(pass.Score);
   }
 
   void Rate()
@@ -265,63 +338,8 @@ private:
       [&](std::int64_t i)
       {
         this->Confidences[i] = DepthConfidence(this->Views, static_cast<int>(i), this->Depths,
-          this->Scores[i], this->Options, this->Footprint);
+          this->Confidences[i], this->Options, this->Footprint);
       });
-  }
-
-  /** The fused surface as each photograph sees it, at half resolution: base of the fine pass. */
-  void FuseBases()
-  {
-    const std::vector<View> views = WithMaps(this->Views, this->Depths, this->Confidences);
-    const FusedField field(views, this->Options.Fusion, this->Footprint);
-    std::vector<Image<float>> bases(this->Views.size());
-    this->Run.ForEach(this->Count,
-      [&](std::int64_t i)
-      {
-        const MatchImage& image = this->Half[i];
-        const HullInterval interval = IntervalOf(this->Hull, image);
-        Image<float> base(image.Cam.Width, image.Cam.Height);
-        const Vector3d centre = image.Cam.Centre();
-        for (int y = 0; y < base.Height; ++y)
-        {
-          for (int x = 0; x < base.Width; ++x)
-          {
-            const double front = interval.Front(x, y);
-            if (front <= 0)
-            {
-              continue;
-            }
-            // With a direction of unit depth the ray's parameter is the depth itself.
-            const Vector3d direction = image.Cam.Unproject(Vector2d(x, y), 1) - centre;
-            const auto met = field.Walk(centre, direction, front - 1.5 * this->Footprint,
-              front + interval.Thickness(x, y), this->Options.CoarseStepPx * this->Footprint);
-            base(x, y) = static_cast<float>(met.Surface.value_or(0));
-          }
-        }
-        FillKnown(base, image);
-        bases[i] = Enlarged(MedianOfKnown(base, 2), this->Views[i].Cam.Width,
-          this->Views[i].Cam.Height, static_cast<float>(6 * this->Footprint));
-      });
-    this->Bases = std::move(bases);
-  }
-
-  void FinePass(std::int64_t i, const std::vector<MatchImage>& images)
-  {
-    Image<float>& base = this->Bases[i];
-    FillKnown(base, images[i]);
-    for (std::size_t n = 0; n < base.Values.size(); ++n)
-    {
-      base.Values[n] = images[i].Pixels.Values[4 * n + 3] > 0 ? base.Values[n] : 0.f;
-    }
-    OffsetLabels labels;
-    labels.First = -this->Options.FineRangePx * this->Footprint;
-    labels.Step = this->Options.FineStepPx * this->Footprint;
-    labels.Count = 2 * static_cast<int>(this->Options.FineRangePx / this->Options.FineStepPx) + 1;
-    const Image<float> last(base.Width, base.Height, 1, static_cast<float>(1e30));
-    PassResult pass =
-      MatchPass(images[i], base, last, this->NeighbourImages(i, images), labels, this->Options);
-    this->Depths[i] = std::move(pass.Depth);
-    this->Scores[i] = std::move(pass.Score);
   }
 
   const std::vector<View>& Views;
@@ -329,111 +347,11 @@ private:
   const ReferenceDepthOptions& Options;
   const Execution& Run;
   const std::int64_t Count;
+  const double Footprint;
   std::vector<std::vector<int>> Neighbours;
-  std::vector<MatchImage> Half;
   std::vector<Image<float>> Depths;
-  std::vector<Image<float>> Scores;
   std::vector<Image<float>> Confidences;
-  std::vector<Image<float>> Bases;
-  double Footprint = 0;
 };
-
-/** Cosine between the viewing ray and the normal of the depth map; 0.1 at least. */
-double Incidence(const Camera& camera, const Image<float>& depth, int x, int y)
-{
-  const auto at = [&](int i, int j)
-  {
-    const float value = depth.Ref().Contains(i, j) && depth(i, j) > 0 ? depth(i, j) : depth(x, y);
-    return camera.Unproject(Vector2d(i, j), value);
-  };
-  const Vector3d normal = (at(x + 1, y) - at(x - 1, y)).cross(at(x, y + 1) - at(x, y - 1));
-  const Vector3d ray = camera.RayDirection(Vector2d(x, y));
-  const double length = normal.norm();
-  return length > 0 ? std::max(std::abs(normal.dot(ray)) / length, 0.1) : 0.1;
-}
-}
-
-Image<float> MedianOfKnown(const Image<float>& image, int radius)
-{
-  Image<float> result(image.Width, image.Height);
-  std::vector<float> values;
-  for (int y = 0; y < image.Height; ++y)
-  {
-    for (int x = 0; x < image.Width; ++x)
-    {
-      if (image(x, y) <= 0)
-      {
-        continue;
-      }
-      values.clear();
-      for (int j = std::max(y - radius, 0); j <= std::min(y + radius, image.Height - 1); ++j)
-      {
-        for (int i = std::max(x - radius, 0); i <= std::min(x + radius, image.Width - 1); ++i)
-        {
-          if (image(i, j) > 0)
-          {
-            values.push_back(image(i, j));
-          }
-        }
-      }
-      const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-      std::nth_element(values.begin(), middle, values.end());
-      result(x, y) = *middle;
-    }
-  }
-  return result;
-}
-
-Image<float> DepthConfidence(const std::vector<View>& views, int viewId,
-  const std::vector<Image<float>>& depths, const Image<float>& score,
-  const ReferenceDepthOptions& options, double footprint)
-{
-  const Camera& camera = views[viewId].Cam;
-  const Image<float>& depth = depths[viewId];
-  const std::vector<int> order = ViewsByAngle(views, camera.OpticalAxis());
-  const double tolerance = options.AgreementPx * footprint;
-  Image<float> confidence(depth.Width, depth.Height);
-  for (int y = 0; y < depth.Height; ++y)
-  {
-    for (int x = 0; x < depth.Width; ++x)
-    {
-      if (depth(x, y) <= 0)
-      {
-        continue;
-      }
-      const Vector3d point = camera.Unproject(Vector2d(x, y), depth(x, y));
-      int agree = 0;
-      int seenThrough = 0;
-      for (std::size_t n = 0, looked = 0;
-           n < order.size() && looked < static_cast<std::size_t>(options.AgreementViews); ++n)
-      {
-        if (order[n] == viewId)
-        {
-          continue;
-        }
-        ++looked;
-        const Camera& other = views[order[n]].Cam;
-        const double z = other.Depth(point);
-        if (z <= 0)
-        {
-          continue;
-        }
-        const Vector2d pixel = other.Project(point);
-        const int i = static_cast<int>(std::lround(pixel.x()));
-        const int j = static_cast<int>(std::lround(pixel.y()));
-        const Image<float>& map = depths[order[n]];
-        if (map.Ref().Contains(i, j) && map(i, j) > 0)
-        {
-          agree += std::abs(map(i, j) - z) < tolerance;
-          seenThrough += map(i, j) - z >= tolerance;
-        }
-      }
-      const double agreement = agree >= 2 ? 1.0 : agree == 1 ? 0.6 : 0.12;
-      confidence(x, y) = static_cast<float>(score(x, y) * Incidence(camera, depth, x, y) *
-        agreement * (seenThrough > agree ? 0.3 : 1.0));
-    }
-  }
-  return confidence;
 }
 
 std::vector<ReferenceDepth> EstimateReferenceDepths(const std::vector<View>& views,

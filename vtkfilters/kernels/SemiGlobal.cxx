@@ -1,32 +1,85 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "MatchingVolume.h"
 
+#include "CpuClones.h"
+
 #include <algorithm>
-#include <cstring>
-#include <limits>
+#include <cmath>
 
 namespace novelview
 {
 namespace
 {
+using Cost = std::int16_t;
+
+/** More than any path costs, and far from overflow. */
+constexpr Cost Unreachable = 8 * MatchingVolume::Unit;
+
+/** A penalty in units of cost; what is cut off is far above the cost of any jump. */
+Cost PenaltyOf(double penalty)
+{
+  return static_cast<Cost>(std::lround(std::clamp(penalty, 0.0, 2.5) * MatchingVolume::Unit));
+}
+
 /** The path costs of one row of pixels: labels x width, and the least per pixel. */
 struct PathRow
 {
   PathRow(int labels, int width)
     : Width(width)
-    , Costs(static_cast<std::size_t>(labels) * width, 0.f)
-    , Least(width, 0.f)
+    , Costs(static_cast<std::size_t>(labels) * width, 0)
+    , Least(width, 0)
   {
   }
-  float* Of(int label)
-  {
-    return this->Costs.data() + static_cast<std::size_t>(label) * this->Width;
-  }
+  Cost* Of(int label) { return this->Costs.data() + static_cast<std::size_t>(label) * this->Width; }
 
   int Width;
-  std::vector<float> Costs;
-  std::vector<float> Least;
+  std::vector<Cost> Costs;
+  std::vector<Cost> Least;
 };
+
+/** One label of a row: what comes from the pixels that the paths come from. */
+struct Arrivals
+{
+  const Cost* Same;
+  const Cost* Down;
+  const Cost* Up;
+  const Cost* Least;
+};
+
+/** Goes one pixel further; the loops over a row are plain so that the compiler does many at once. */
+NOVELVIEW_CLONES void Advance(const Arrivals& from, const Cost* __restrict cost,
+  const Cost* __restrict mask, Cost p1, Cost p2, int width, Cost* __restrict out,
+  Cost* __restrict least, Cost* __restrict sum)
+{
+  for (int x = 0; x < width; ++x)
+  {
+    const Cost step = static_cast<Cost>(std::min(from.Down[x], from.Up[x]) + p1);
+    const Cost jump = static_cast<Cost>(from.Least[x] + p2);
+    const Cost reached = std::min(std::min(from.Same[x], step), jump);
+    const Cost path = static_cast<Cost>((cost[x] + reached - from.Least[x]) & mask[x]);
+    out[x] = path;
+    least[x] = std::min(least[x], path);
+    sum[x] = static_cast<Cost>(sum[x] + path);
+  }
+}
+
+/** The same along a row: one pixel, all labels. `before` and `out` have a place on both sides. */
+NOVELVIEW_CLONES Cost AdvanceLabels(const Cost* __restrict before, const Cost* __restrict cost,
+  Cost least, Cost p1, Cost p2, int labels, Cost* __restrict out, Cost* __restrict sum)
+{
+  const Cost jump = static_cast<Cost>(least + p2);
+  Cost nextLeast = Unreachable;
+  for (int label = 0; label < labels; ++label)
+  {
+    const Cost step = static_cast<Cost>(std::min(before[label - 1], before[label + 1]) + p1);
+    const Cost reached = std::min(std::min(before[label], step), jump);
+    const Cost path = static_cast<Cost>(cost[label] + reached - least);
+    out[label] = path;
+    nextLeast = std::min(nextLeast, path);
+    sum[label] = static_cast<Cost>(sum[label] + path);
+  }
+  return nextLeast;
+}
 
 /** What all directions share. */
 class Aggregator
@@ -36,144 +89,138 @@ public:
     const MatchingVolume& volume, const Image<float>& base, const SemiGlobalOptions& options)
     : Volume(volume)
     , Base(base)
-    , P1(static_cast<float>(options.StepPenalty))
-    , P2(static_cast<float>(options.JumpPenalty))
+    , P1(PenaltyOf(options.StepPenalty))
+    , P2(PenaltyOf(options.JumpPenalty))
     , Width(volume.Box.Width())
     , Height(volume.Box.Height())
     , Labels(volume.Labels.Count)
-    , Sum(volume.Costs.size(), 0.f)
+    , Sums{ volume.Box, volume.Labels, std::vector<Cost>(volume.Costs.size(), 0) }
+    , Mask(this->Width)
+    , CostsOfPixels(volume.Costs.size() / std::max(this->Height, 1))
+    , SumsOfPixels(this->CostsOfPixels.size())
   {
   }
 
-  std::vector<float> Run()
+  MatchingVolume Run()
   {
-    for (const int dy : { 1, -1 })
-    {
-      for (int dx = -1; dx <= 1; ++dx)
-      {
-        this->AlongRows(dx, dy);
-      }
-    }
-    for (int y = 0; y < this->Height; ++y)
-    {
-      this->AlongColumns(y, 1);
-      this->AlongColumns(y, -1);
-    }
-    return std::move(this->Sum);
+    this->AlongRows(1);
+    this->AlongRows(-1);
+    return std::move(this->Sums);
   }
 
 private:
-  bool Takes(int x, int y) const
+  /** Sets the mask of a row: all bits where the pixel takes part. */
+  void ReadMask(int y)
   {
-    return this->Base(this->Volume.Box.X0 + x, this->Volume.Box.Y0 + y) > 0;
-  }
-  float* SumRow(int y, int label)
-  {
-    return this->Sum.data() + (static_cast<std::size_t>(y) * this->Labels + label) * this->Width;
+    for (int x = 0; x < this->Width; ++x)
+    {
+      this->Mask[x] = this->Base(this->Volume.Box.X0 + x, this->Volume.Box.Y0 + y) > 0 ? -1 : 0;
+    }
   }
 
-  /** Paths that come from (x - dx, y - dy), dy not 0: a row at a time, all pixels side by side. */
-  void AlongRows(int dx, int dy)
+  /**
+   * The three directions that come from the row before (dy = 1: from above), all pixels side by
+   * side; on the way down also those within the row. Paths begin anew at pixels that take no part.
+   */
+  void AlongRows(int dy)
   {
-    PathRow before(this->Labels, this->Width + 2); // a margin on both sides, always 0
-    PathRow now(this->Labels, this->Width + 2);
+    // A margin on both sides, always 0.
+    std::vector<PathRow> before(3, PathRow(this->Labels, this->Width + 2));
+    std::vector<PathRow> now = before;
     for (int n = 0; n < this->Height; ++n)
     {
       const int y = dy > 0 ? n : this->Height - 1 - n;
-      const float* least = before.Least.data() + 1 - dx;
+      this->ReadMask(y);
+      for (PathRow& row : now)
+      {
+        std::fill_n(row.Least.begin() + 1, this->Width, Unreachable);
+      }
       for (int label = 0; label < this->Labels; ++label)
       {
-        const float* same = before.Of(label) + 1 - dx;
-        const float* down = before.Of(std::max(label - 1, 0)) + 1 - dx;
-        const float* up = before.Of(std::min(label + 1, this->Labels - 1)) + 1 - dx;
-        const float* cost = this->Volume.Row(y, label);
-        float* out = now.Of(label) + 1;
-        float* sum = this->SumRow(y, label);
-        for (int x = 0; x < this->Width; ++x)
+        for (int dx = -1; dx <= 1; ++dx)
         {
-          const float step = std::min(down[x], up[x]) + this->P1;
-          const float jump = least[x] + this->P2;
-          out[x] = cost[x] + std::min(std::min(same[x], step), jump) - least[x];
-          sum[x] += out[x];
+          PathRow& from = before[dx + 1];
+          PathRow& to = now[dx + 1];
+          const Arrivals arrivals{ from.Of(label) + 1 - dx,
+            from.Of(std::max(label - 1, 0)) + 1 - dx,
+            from.Of(std::min(label + 1, this->Labels - 1)) + 1 - dx, from.Least.data() + 1 - dx };
+          Advance(arrivals, this->Volume.Row(y, label), this->Mask.data(), this->P1, this->P2,
+            this->Width, to.Of(label) + 1, to.Least.data() + 1, this->Sums.Row(y, label));
         }
       }
-      this->FinishRow(y, now);
       std::swap(before, now);
+      if (dy > 0)
+      {
+        this->WithinRow(y);
+      }
     }
   }
 
-  /** Least path cost per pixel; paths begin anew at pixels that take no part. */
-  void FinishRow(int y, PathRow& row) const
+  /** Paths from the left and from the right; a pixel's labels side by side. */
+  void WithinRow(int y)
   {
-    float* least = row.Least.data() + 1;
-    std::copy_n(row.Of(0) + 1, this->Width, least);
-    for (int label = 1; label < this->Labels; ++label)
+    for (int label = 0; label < this->Labels; ++label)
     {
-      const float* costs = row.Of(label) + 1;
+      const Cost* row = this->Volume.Row(y, label);
       for (int x = 0; x < this->Width; ++x)
       {
-        least[x] = std::min(least[x], costs[x]);
+        this->CostsOfPixels[static_cast<std::size_t>(x) * this->Labels + label] = row[x];
       }
     }
-    for (int x = 0; x < this->Width; ++x)
+    std::fill(this->SumsOfPixels.begin(), this->SumsOfPixels.end(), 0);
+    this->FromOneSide(1);
+    this->FromOneSide(-1);
+    for (int label = 0; label < this->Labels; ++label)
     {
-      if (!this->Takes(x, y))
+      Cost* row = this->Sums.Row(y, label);
+      for (int x = 0; x < this->Width; ++x)
       {
-        least[x] = 0;
-        for (int label = 0; label < this->Labels; ++label)
-        {
-          row.Of(label)[x + 1] = 0;
-        }
+        row[x] = static_cast<Cost>(
+          row[x] + this->SumsOfPixels[static_cast<std::size_t>(x) * this->Labels + label]);
       }
     }
   }
 
-  /** Paths within a row, from the left (dx = 1) or from the right (dx = -1). */
-  void AlongColumns(int y, int dx)
+  void FromOneSide(int dx)
   {
-    std::vector<float> before(this->Labels, 0.f);
-    std::vector<float> now(this->Labels);
-    float least = 0;
+    std::vector<Cost> before(this->Labels + 2, 0);
+    before.front() = before.back() = Unreachable;
+    std::vector<Cost> now = before;
+    Cost least = 0;
     for (int n = 0; n < this->Width; ++n)
     {
       const int x = dx > 0 ? n : this->Width - 1 - n;
-      if (!this->Takes(x, y))
+      if (this->Mask[x] == 0)
       {
-        std::fill(before.begin(), before.end(), 0.f);
+        std::fill_n(before.begin() + 1, this->Labels, 0);
         least = 0;
         continue;
       }
-      float nextLeast = std::numeric_limits<float>::max();
-      for (int label = 0; label < this->Labels; ++label)
-      {
-        const float down = before[std::max(label - 1, 0)];
-        const float up = before[std::min(label + 1, this->Labels - 1)];
-        const float step = std::min(down, up) + this->P1;
-        const float reached = std::min(std::min(before[label], step), least + this->P2);
-        now[label] = this->Volume.Row(y, label)[x] + reached - least;
-        nextLeast = std::min(nextLeast, now[label]);
-        this->SumRow(y, label)[x] += now[label];
-      }
-      least = nextLeast;
+      const std::size_t first = static_cast<std::size_t>(x) * this->Labels;
+      least = AdvanceLabels(before.data() + 1, this->CostsOfPixels.data() + first, least, this->P1,
+        this->P2, this->Labels, now.data() + 1, this->SumsOfPixels.data() + first);
       std::swap(before, now);
     }
   }
 
   const MatchingVolume& Volume;
   const Image<float>& Base;
-  const float P1;
-  const float P2;
+  const Cost P1;
+  const Cost P2;
   const int Width;
   const int Height;
   const int Labels;
-  std::vector<float> Sum;
+  MatchingVolume Sums;
+  std::vector<Cost> Mask;
+  std::vector<Cost> CostsOfPixels; ///< of one row, a pixel's labels side by side
+  std::vector<Cost> SumsOfPixels;
 };
 }
 
 MatchingVolume AggregateSemiGlobally(
   const MatchingVolume& volume, const Image<float>& base, const SemiGlobalOptions& options)
 {
-  return { volume.Box, volume.Labels, Aggregator(volume, base, options).Run() };
+  return Aggregator(volume, base, options).Run();
 }
 
 Image<float> WinningDepth(
