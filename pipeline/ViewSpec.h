@@ -3,7 +3,7 @@
 #define novelview_ViewSpec_h
 
 #include "Camera.h"
-#include "Middlebury.h"
+#include "Dataset.h"
 
 #include <filesystem>
 #include <string>
@@ -45,10 +45,9 @@ std::string ViewSpecText(const ViewSpec& spec);
 /** A novel view, ready to be made. */
 struct ResolvedView
 {
-  Camera Cam;                      ///< with its picture's size
-  std::string HeldOut;             ///< photograph that no stage may see; empty = none
-  std::filesystem::path Truth;     ///< picture to compare with; empty = none known
-  std::filesystem::path TruthMask; ///< its silhouette; empty = none known
+  Camera Cam;          ///< with its picture's size
+  std::string HeldOut; ///< photograph that no stage may see; empty = none
+  Photograph Truth;    ///< picture to compare with; File is empty when none is known
 };
 
 /**
