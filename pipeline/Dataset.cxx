@@ -40,6 +40,21 @@ void CheckCameras(const std::vector<Photograph>& photographs, const fs::path& ca
   }
 }
 
+/** Fills in the masks that the calibration does not name. */
+void FindMasks(const fs::path& folder, std::vector<Photograph>& photographs)
+{
+  for (Photograph& photograph : photographs)
+  {
+    for (const fs::path& base : { folder, folder / "images" })
+    {
+      if (photograph.Mask.empty())
+      {
+        photograph.Mask = MaskFileOf(base, photograph.Name);
+      }
+    }
+  }
+}
+
 void Invert(Image<std::uint8_t>& mask)
 {
   for (std::uint8_t& value : mask.Values)
@@ -133,17 +148,19 @@ DatasetIndex ReadDatasetIndex(const fs::path& folder, const DatasetSource& sourc
   Calibration calibration = found.Format->Read(folder, found.File);
   ApplyConvention(Override(calibration.Convention, source.Convention), calibration.Photographs);
   CheckCameras(calibration.Photographs, found.File);
-  for (Photograph& photograph : calibration.Photographs)
-  {
-    for (const fs::path& base : { folder, folder / "images" })
-    {
-      if (photograph.Mask.empty())
-      {
-        photograph.Mask = MaskFileOf(base, photograph.Name);
-      }
-    }
-  }
+  FindMasks(folder, calibration.Photographs);
   return { folder, found.File, found.Format->Name, std::move(calibration.Photographs) };
+}
+
+std::vector<Photograph> ReadViewCameras(const fs::path& calibration)
+{
+  const fs::path folder = calibration.has_parent_path() ? calibration.parent_path() : ".";
+  const FoundCalibration found = ChooseCalibration(folder, calibration, "auto");
+  Calibration read = found.Format->Read(folder, found.File);
+  ApplyConvention(read.Convention, read.Photographs);
+  CheckCameras(read.Photographs, found.File);
+  FindMasks(folder, read.Photographs);
+  return read.Photographs;
 }
 
 std::vector<Photograph> WithoutExcluded(

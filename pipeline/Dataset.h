@@ -47,6 +47,12 @@ struct DatasetIndex
 DatasetIndex ReadDatasetIndex(
   const std::filesystem::path& folder, const DatasetSource& source = {});
 
+/**
+ * The cameras of a calibration file of any format, for novel views; File of each is where its
+ * picture would lie. Errors as ReadDatasetIndex(), but without photographs of its own it is none.
+ */
+std::vector<Photograph> ReadViewCameras(const std::filesystem::path& calibration);
+
 struct DatasetOptions
 {
   std::vector<std::string> Exclude; ///< photographs to leave out; they are not even opened

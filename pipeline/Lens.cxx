@@ -4,6 +4,7 @@
 #include "Error.h"
 #include "OpenCvPixels.h"
 
+#include <Eigen/Dense>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -36,6 +37,59 @@ cv::Mat Padded(const Lens& lens)
 cv::Matx33d ToMatx(const Eigen::Matrix3d& K)
 {
   return { K(0, 0), K(0, 1), K(0, 2), 0, K(1, 1), K(1, 2), 0, 0, 1 };
+}
+
+/** How far from the axis the lens shows a point that is `r` from it, at depth 1; radial part only. */
+double Radial(const cv::Mat& k, Lens::Model kind, double r)
+{
+  const auto at = [&k](int i) { return i < k.rows ? k.at<double>(i) : 0.0; };
+  if (kind == Lens::Model::Fisheye)
+  {
+    const double t = std::atan(r);
+    const double t2 = t * t;
+    return t * (1 + t2 * (at(0) + t2 * (at(1) + t2 * (at(2) + t2 * at(3)))));
+  }
+  const double r2 = r * r;
+  return r * (1 + r2 * (at(0) + r2 * (at(1) + r2 * at(4)))) /
+    (1 + r2 * (at(5) + r2 * (at(6) + r2 * at(7))));
+}
+
+/**
+ * A polynomial that bends back shows things once more from some distance on: copies of the object
+ * outside of what the lens sees. Pixels of the pinhole from there on are sent out of the photograph.
+ */
+void CutFold(const Lens& lens, const Eigen::Matrix3d& K, cv::Mat& across, cv::Mat& down)
+{
+  constexpr int Steps = 4096; // fine against the pixels of any frame's half diagonal
+  constexpr float Outside = -1e4f;
+  const cv::Mat k = Padded(lens);
+  const Eigen::Matrix3d inverse = K.inverse();
+  const auto distance = [&inverse](int x, int y)
+  { return (inverse * Eigen::Vector3d(x, y, 1)).head<2>().norm(); };
+  double most = 0;
+  for (const int x : { 0, across.cols - 1 })
+  {
+    for (const int y : { 0, across.rows - 1 })
+    {
+      most = std::max(most, distance(x, y));
+    }
+  }
+  int step = 1;
+  while (step <= Steps &&
+    Radial(k, lens.Kind, most * step / Steps) > Radial(k, lens.Kind, most * (step - 1) / Steps))
+  {
+    ++step;
+  }
+  for (int y = 0; y < across.rows && step <= Steps; ++y)
+  {
+    for (int x = 0; x < across.cols; ++x)
+    {
+      if (distance(x, y) >= most * (step - 1) / Steps)
+      {
+        across.at<float>(y, x) = down.at<float>(y, x) = Outside;
+      }
+    }
+  }
 }
 
 /** K without its skew: OpenCV's lens models know none. */
@@ -121,6 +175,7 @@ Image<std::uint8_t> Undistorted(
   {
     across += (down - K(1, 2)) * (K(0, 1) / K(1, 1));
   }
+  CutFold(lens, K, across, down);
   cv::Mat straight;
   cv::remap(distorted, straight, across, down, cv::INTER_LINEAR, cv::BORDER_CONSTANT);
   return FromMat<std::uint8_t>(straight);

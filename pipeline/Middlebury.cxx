@@ -204,7 +204,12 @@ DatasetFormat MiddleburyFormat()
     }
     return files;
   };
-  format.Accepts = [](const fs::path& file) { return file.extension() == ".txt"; };
+  format.Accepts = [](const fs::path& file)
+  {
+    // Any name will do but those that COLMAP gives.
+    return file.extension() == ".txt" && file.filename() != "images.txt" &&
+      file.filename() != "cameras.txt";
+  };
   format.Read = ReadMiddlebury;
   format.MaskFolder = "mask";
   format.MaskName = [](const std::string& name)

@@ -264,6 +264,20 @@ std::vector<fs::path> FindOpenCv(const fs::path& folder)
   return files;
 }
 
+/** The coefficients with zeros at the end, as many as OpenCV's functions take. */
+cv::Mat CoefficientsOf(const Lens& lens)
+{
+  std::vector<double> numbers = lens.Coefficients;
+  for (const std::size_t count : { 14, 12, 8, 5, 4 })
+  {
+    if (lens.Coefficients.size() <= count)
+    {
+      numbers.resize(count, 0);
+    }
+  }
+  return cv::Mat(numbers, true);
+}
+
 cv::Mat MatOf(const Eigen::Matrix3d& matrix)
 {
   const RowMajor3 rows = matrix;
@@ -292,7 +306,7 @@ std::vector<FileContent> ComposeOpenCv(
     {
       const bool isFisheye = lens.Kind == Lens::Model::Fisheye;
       storage << "distortion_model" << (isFisheye ? "fisheye" : "perspective")
-              << "distortion_coefficients" << cv::Mat(lens.Coefficients, true);
+              << "distortion_coefficients" << CoefficientsOf(lens);
     }
     storage << "R" << MatOf(camera.R) << "tvec"
             << cv::Mat(cv::Vec3d(camera.T.x(), camera.T.y(), camera.T.z())) << "}";

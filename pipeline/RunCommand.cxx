@@ -5,7 +5,6 @@
 #include "Error.h"
 #include "ImageFile.h"
 #include "Metrics.h"
-#include "Middlebury.h"
 #include "ObjectMesh.h"
 #include "RunReport.h"
 #include "Threads.h"
@@ -117,11 +116,11 @@ void RenderJob(const RenderOptions& options, Console& console)
 {
   SetNumberOfThreads(options.Threads);
   const DatasetIndex index = FindInput(options.Input);
-  const std::vector<NamedCamera> cameras = ReadCameras(options.Cameras);
+  const std::vector<Photograph> cameras = ReadViewCameras(options.Cameras);
   PrepareFolder(options.Out);
   const Dataset dataset = ReadInput(options.Input, index, {}, console);
   Synthesis synthesis(dataset.Views, options.Synthesis, ListenerFor(console));
-  for (const NamedCamera& camera : cameras)
+  for (const Photograph& camera : cameras)
   {
     ViewSpec spec;
     spec.What = ViewSpec::Kind::File;

@@ -3,7 +3,6 @@
 
 #include "Error.h"
 #include "ImageFile.h"
-#include "Middlebury.h"
 #include "UsageError.h"
 
 #include <charconv>
@@ -119,15 +118,13 @@ void SetSizeFrom(Camera& camera, const Photograph& photograph)
 
 ResolvedView ResolveFile(const ViewSpec& spec, const DatasetIndex& dataset)
 {
+  const Photograph found = Find(ReadViewCameras(spec.ParFile), spec.Name, spec.ParFile.string());
   ResolvedView view;
-  view.Cam = Find(ReadCameras(spec.ParFile), spec.Name, spec.ParFile.string()).Cam;
-  const fs::path folder = spec.ParFile.parent_path();
+  view.Cam = found.Cam;
   std::error_code failure;
-  if (fs::exists(folder / spec.Name, failure))
+  if (fs::exists(found.File, failure))
   {
-    view.Truth.Name = spec.Name;
-    view.Truth.File = folder / spec.Name;
-    view.Truth.Mask = MaskFileOf(folder, spec.Name);
+    view.Truth = found;
   }
   // A camera of the data set's own calibration: its photograph is the truth, so nobody sees it.
   for (const Photograph& own : dataset.Cameras)
@@ -139,7 +136,10 @@ ResolvedView ResolveFile(const ViewSpec& spec, const DatasetIndex& dataset)
       view.Truth = own;
     }
   }
-  SetSizeFrom(view.Cam, view.Truth.File.empty() ? dataset.Cameras.front() : view.Truth);
+  if (view.Cam.Width == 0)
+  {
+    SetSizeFrom(view.Cam, view.Truth.File.empty() ? dataset.Cameras.front() : view.Truth);
+  }
   return view;
 }
 }

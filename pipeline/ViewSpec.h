@@ -17,7 +17,8 @@ namespace novelview
  *                       on their orbit; A and B are names of photographs or numbers from 0
  *     like:IMAGE        the camera of a photograph, which is held out of every stage and is the
  *                       truth to compare with
- *     file:PAR.txt#NAME a camera of a calibration file; a picture NAME beside it is the truth
+ *     file:PAR.txt#NAME a camera of a calibration file of any format; a picture NAME beside it is
+ *                       the truth
  */
 struct ViewSpec
 {

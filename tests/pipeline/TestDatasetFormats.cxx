@@ -291,9 +291,8 @@ TEST(DatasetMasks, CanBeTheOtherWayRound)
 
 TEST(DatasetPixels, AreUndistortedWithTheirMasks)
 {
-  // Half as far from the middle in the photograph: (30, 20) was seen at its place by a pinhole
-  // where the file shows it nearer.
-  const Lens lens{ Lens::Model::Perspective, { -0.9 } };
+  // A barrel shows things nearer to the middle than a pinhole would.
+  const Lens lens{ Lens::Model::Perspective, { -1.5 } };
   OnePhotograph data(lens);
   const Photograph photograph = ReadDatasetIndex(data.Folder.Path).Cameras.front();
   Eigen::Vector2d straight(12, 12); // a pixel whose distorted place lies in the disc

@@ -3,6 +3,7 @@
 #include "EvaluationPlan.h"
 #include "EvaluationScores.h"
 #include "ImageFile.h"
+#include "Middlebury.h"
 #include "TestSupport.h"
 #include "ViewAccess.h"
 

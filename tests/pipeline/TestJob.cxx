@@ -50,8 +50,9 @@ TEST(Options, KeysAndFlagsAreUniqueAndExplained)
   RenderOptions render;
   EvaluateOptions evaluate;
   GeneratorOptions generator;
-  for (const OptionTable& table :
-    { OptionsOf(job), OptionsOf(render), OptionsOf(evaluate), OptionsOf(generator) })
+  ConvertOptions convert;
+  for (const OptionTable& table : { OptionsOf(job), OptionsOf(render), OptionsOf(evaluate),
+         OptionsOf(generator), OptionsOf(convert) })
   {
     std::set<std::string> flags;
     for (const Option& option : table)

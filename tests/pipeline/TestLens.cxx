@@ -148,6 +148,18 @@ TEST(Lens, WhatUndistortingExposesIsBlack)
   EXPECT_EQ(straight(81, 58), 255);
 }
 
+TEST(Lens, ThatBendsBackShowsNothingTwice)
+{
+  // r (1 - 1.5 r^2) grows up to r = sqrt(1 / 4.5) = 0.471, and what is further out would be taken
+  // from inside again. (10, 58) is at r = 71 / 150 = 0.473 and (12, 58) at 0.46.
+  const Lens lens{ Lens::Model::Perspective, { -1.5 } };
+  const Image<std::uint8_t> white(Width, Height, 1, 255);
+  const Image<std::uint8_t> straight = Undistorted(white.Ref(), lens, MatrixWith(0));
+  EXPECT_EQ(straight(10, 58), 0);
+  EXPECT_EQ(straight(0, 0), 0);
+  EXPECT_EQ(straight(12, 58), 255);
+}
+
 TEST(Lens, KnowsAPinhole)
 {
   EXPECT_TRUE(Lens().IsPinhole());
