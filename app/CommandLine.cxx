@@ -52,6 +52,7 @@ struct Parsed
   OptionParser Run;
   OptionParser Render;
   OptionParser Evaluate;
+  OptionParser Convert;
 };
 
 CLI::App* AddCommand(
@@ -93,6 +94,20 @@ void AddGenerate(CLI::App& app, Parsed& parsed)
   parsed.Generate.AddTo(*generate, OptionsOf(defaults));
 }
 
+void AddConvert(CLI::App& app, Parsed& parsed)
+{
+  ConvertOptions defaults;
+  CLI::App* convert = AddCommand(
+    app, "convert", "write a data set in another format, photographs and masks along", parsed);
+  convert->add_option("dataset", parsed.Dataset, "folder of the photographs")
+    ->required()
+    ->type_name("DATASET");
+  convert->add_option("out", parsed.Out, "folder for the new data set")
+    ->required()
+    ->type_name("PATH");
+  parsed.Convert.AddTo(*convert, OptionsOf(defaults));
+}
+
 /** A command on a data set; its table tells the defaults of the options. */
 template <class Options>
 void AddOnDataset(CLI::App& command, Parsed& parsed, OptionParser& parser)
@@ -128,6 +143,10 @@ void AddCommands(CLI::App& app, Parsed& parsed, const Commands& commands)
         app, "evaluate", "compare novel views with photographs that no stage saw", parsed),
       parsed, parsed.Evaluate);
   }
+  if (commands.Convert)
+  {
+    AddConvert(app, parsed);
+  }
 }
 
 void Dispatch(const CLI::App& app, const Parsed& parsed, const Commands& commands, Console& console)
@@ -157,6 +176,13 @@ void Dispatch(const CLI::App& app, const Parsed& parsed, const Commands& command
     const RenderOptions options = MakeRenderOptions(parsed.Dataset, parsed.Render.Given());
     LimitThreads(options.Threads);
     commands.Render(options, console);
+  }
+  else if (command == "convert")
+  {
+    const ConvertOptions options =
+      MakeConvertOptions(parsed.Dataset, parsed.Out, parsed.Convert.Given());
+    LimitThreads(options.Threads);
+    commands.Convert(options, console);
   }
   else
   {

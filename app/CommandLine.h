@@ -18,6 +18,7 @@ struct Commands
   std::function<void(const Job&, Console&)> Run;
   std::function<void(const RenderOptions&, Console&)> Render;
   std::function<void(const EvaluateOptions&, Console&)> Evaluate;
+  std::function<void(const ConvertOptions&, Console&)> Convert;
 };
 
 /** Exit codes of the program. */

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "CommandLine.h"
+#include "ConvertCommand.h"
 #include "EvaluateCommand.h"
 #include "RunCommand.h"
 
@@ -34,5 +35,6 @@ int main(int argc, char** argv)
   commands.Run = RunJob;
   commands.Render = RenderJob;
   commands.Evaluate = EvaluateDataset;
+  commands.Convert = ConvertDataset;
   return RunCommandLine(argc, argv, commands);
 }

@@ -18,6 +18,11 @@ void PrepareFolder(const fs::path& folder)
   fs::remove(folder / ".novelview");
 }
 
+DatasetIndex FindInput(const JobInput& input)
+{
+  return ReadDatasetIndex(input.Dataset, input.Source);
+}
+
 Dataset ReadInput(const JobInput& input, const DatasetIndex& index,
   const std::vector<std::string>& heldOut, Console& console)
 {
@@ -53,20 +58,19 @@ SynthesisListener ListenerFor(Console& console)
   return listener;
 }
 
-vtkSmartPointer<vtkImageData> ReadTruth(const fs::path& picture, const fs::path& maskFile,
-  const SilhouetteOptions& silhouette, const Camera& camera)
+vtkSmartPointer<vtkImageData> ReadTruth(
+  const Photograph& truth, const SilhouetteOptions& silhouette, const Camera& camera)
 {
-  const Image<std::uint8_t> color = ReadColorFile(picture);
+  const PhotographPixels pixels = ReadPhotograph(truth, false, silhouette);
+  const Image<std::uint8_t>& color = pixels.Color;
   if (color.Width != camera.Width || color.Height != camera.Height)
   {
-    throw Error(picture.string(), "the truth is not of the novel view's size",
+    throw Error(truth.File.string(), "the truth is not of the novel view's size",
       SizeText(color.Width, color.Height), SizeText(camera.Width, camera.Height));
   }
-  const Image<std::uint8_t> mask =
-    maskFile.empty() ? ExtractSilhouette(color.Ref(), silhouette) : ReadGreyFile(maskFile);
   auto image = NewImage(color.Width, color.Height);
   SetPixels(image, arrays::Color, color.Ref());
-  SetPixels(image, arrays::Mask, mask.Ref());
+  SetPixels(image, arrays::Mask, pixels.Mask.Ref());
   return image;
 }
 }

@@ -4,8 +4,8 @@
 #define novelview_CommandSupport_h
 
 #include "Console.h"
+#include "Dataset.h"
 #include "Job.h"
-#include "Middlebury.h"
 #include "Synthesis.h"
 
 #include <filesystem>
@@ -17,6 +17,9 @@ namespace novelview
 /** Makes the out folder and proves that it can be written before any work is done. */
 void PrepareFolder(const std::filesystem::path& folder);
 
+/** The calibration of the photographs. */
+DatasetIndex FindInput(const JobInput& input);
+
 /** Reads the photographs, but for those that are excluded or held out, and says the warnings. */
 Dataset ReadInput(const JobInput& input, const DatasetIndex& index,
   const std::vector<std::string>& heldOut, Console& console);
@@ -25,11 +28,11 @@ Dataset ReadInput(const JobInput& input, const DatasetIndex& index,
 SynthesisListener ListenerFor(Console& console);
 
 /**
- * The picture a novel view is compared with, arrays Color and Mask. Without a mask file the
- * silhouette is taken from the picture. Throws Error when it is not of the camera's size.
+ * The picture a novel view is compared with, arrays Color and Mask; undistorted, and without a mask
+ * the silhouette is taken from the picture. Throws Error when it is not of the camera's size.
  */
-vtkSmartPointer<vtkImageData> ReadTruth(const std::filesystem::path& picture,
-  const std::filesystem::path& maskFile, const SilhouetteOptions& silhouette, const Camera& camera);
+vtkSmartPointer<vtkImageData> ReadTruth(
+  const Photograph& truth, const SilhouetteOptions& silhouette, const Camera& camera);
 }
 
 #endif

@@ -152,7 +152,7 @@ private:
       const ResolvedView& view = planned.View;
       ValidateCamera(view.Cam, "novel camera");
       const auto truth =
-        ReadTruth(view.Truth, view.TruthMask, this->Options.Input.Silhouette, view.Cam);
+        ReadTruth(view.Truth, this->Options.Input.Silhouette, view.Cam);
       const std::vector<NovelView> stages = synthesis.RenderStages(view.Cam, this->Options.UpTo);
       EvaluatedView& scored = this->Views.emplace_back();
       scored.Name = planned.Name;
@@ -249,7 +249,7 @@ private:
 void EvaluateDataset(const EvaluateOptions& options, Console& console)
 {
   SetNumberOfThreads(options.Threads);
-  const DatasetIndex index = ReadDatasetIndex(options.Input.Dataset, options.Input.ParFile);
+  const DatasetIndex index = FindInput(options.Input);
   Evaluation evaluation(options, index, console);
   PrepareFolder(options.Out);
   evaluation.Run();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "EvaluationPlan.h"
 
+#include "Middlebury.h"
 #include "UsageError.h"
 
 #include <algorithm>
@@ -55,16 +56,16 @@ PlannedSet TestViews(const DatasetIndex& dataset, std::vector<std::string>& warn
   {
     return set;
   }
-  const DatasetIndex tests = ReadDatasetIndex(folder);
+  const DatasetIndex tests = ReadDatasetIndex(folder, { .Format = "middlebury" });
   std::string missing;
   for (const NamedCamera& camera : tests.Cameras)
   {
     ViewSpec spec;
     spec.What = ViewSpec::Kind::File;
-    spec.ParFile = tests.ParFile;
+    spec.ParFile = tests.Calibration;
     spec.Name = camera.Name;
     PlannedView view{ camera.Name, ResolveViewSpec(spec, dataset) };
-    if (view.View.Truth.empty())
+    if (view.View.Truth.File.empty())
     {
       missing += (missing.empty() ? "" : ", ") + camera.Name;
       continue;
@@ -100,8 +101,8 @@ void CheckNames(const std::vector<std::string>& names, const DatasetIndex& datas
     if (std::none_of(dataset.Cameras.begin(), dataset.Cameras.end(),
           [&name](const NamedCamera& camera) { return camera.Name == name; }))
     {
-      throw UsageError("--hold-out", dataset.ParFile.string() + " has no photograph of this name",
-        "'" + name + "'",
+      throw UsageError("--hold-out",
+        dataset.Calibration.string() + " has no photograph of this name", "'" + name + "'",
         "a name like " + (dataset.Cameras.empty() ? "none" : dataset.Cameras.front().Name));
     }
   }
@@ -159,7 +160,7 @@ EvaluationPlan MakeEvaluationPlan(const EvaluateOptions& options, const DatasetI
       [&set](const std::string& name) { return !Contains(set.HeldOut, name); }));
     if (set.References == 0)
     {
-      throw UsageError(dataset.ParFile.string(), "no photograph left to predict from");
+      throw UsageError(dataset.Calibration.string(), "no photograph left to predict from");
     }
   }
   return plan;

@@ -27,14 +27,6 @@ namespace novelview
 namespace fs = std::filesystem;
 namespace
 {
-/** OpenCV prints about files that it cannot read; here the Error says so. */
-void SilenceOpenCv()
-{
-  static std::once_flag once;
-  std::call_once(
-    once, [] { cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT); });
-}
-
 /**
  * Whether a JPEG file lacks the end of its picture. OpenCV fills what is missing with grey and says
  * nothing. Within the picture's data no marker can appear by chance, so after its start (FF DA)
@@ -94,6 +86,23 @@ void Encode(const fs::path& path, const cv::Mat& mat)
     });
 }
 
+/**
+ * Whether a file can have an alpha channel, as far as that is quickly told: JPEG, BMP and the like
+ * never have one, and a PNG's header says it.
+ */
+bool MayHaveAlpha(const fs::path& path)
+{
+  std::array<unsigned char, 26> head{};
+  std::ifstream file(path, std::ios::binary);
+  file.read(reinterpret_cast<char*>(head.data()), head.size());
+  if (file && std::memcmp(head.data() + 1, "PNG\r\n", 5) == 0)
+  {
+    return head[25] & 4; // colour type: 4 = grey and alpha, 6 = colour and alpha
+  }
+  const std::string extension = path.extension().string();
+  return extension == ".tif" || extension == ".tiff" || extension == ".webp";
+}
+
 bool IsTiff(const fs::path& path)
 {
   return path.extension() == ".tif" || path.extension() == ".tiff";
@@ -123,6 +132,13 @@ void SetPixelsOf(vtkImageData* image, const char* array, const ImageRef<const T>
 }
 }
 
+void SilenceOpenCv()
+{
+  static std::once_flag once;
+  std::call_once(
+    once, [] { cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT); });
+}
+
 Image<std::uint8_t> ReadColorFile(const fs::path& path)
 {
   cv::Mat mat = Decode(path, cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION);
@@ -133,6 +149,26 @@ Image<std::uint8_t> ReadColorFile(const fs::path& path)
 Image<std::uint8_t> ReadGreyFile(const fs::path& path)
 {
   return FromMat<std::uint8_t>(Decode(path, cv::IMREAD_GRAYSCALE | cv::IMREAD_IGNORE_ORIENTATION));
+}
+
+Image<std::uint8_t> ReadAlphaFile(const fs::path& path)
+{
+  if (!MayHaveAlpha(path))
+  {
+    return {};
+  }
+  const cv::Mat mat = Decode(path, cv::IMREAD_UNCHANGED);
+  if (mat.channels() != 4)
+  {
+    return {};
+  }
+  cv::Mat alpha;
+  cv::extractChannel(mat, alpha, 3);
+  // Bits of other depths are brought to eight.
+  alpha.convertTo(alpha, CV_8U, mat.depth() == CV_16U ? 1.0 / 257 : 1.0);
+  double least = 0;
+  cv::minMaxLoc(alpha, &least);
+  return least == 255 ? Image<std::uint8_t>() : FromMat<std::uint8_t>(alpha);
 }
 
 Image<float> ReadFloatFile(const fs::path& path)

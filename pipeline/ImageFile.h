@@ -21,12 +21,20 @@ class vtkImageData;
 
 namespace novelview
 {
+/** OpenCV prints about files that it cannot read; here the Error says so. */
+void SilenceOpenCv();
+
 /** Three channels of 8 bits, RGB. The file's orientation tag is ignored: calibration refers to the
  * pixels as stored. */
 Image<std::uint8_t> ReadColorFile(const std::filesystem::path& path);
 
 /** One channel of 8 bits, e.g. a mask. */
 Image<std::uint8_t> ReadGreyFile(const std::filesystem::path& path);
+
+/**
+ * The alpha channel, 8 bits; empty when the file has none or all of it is opaque.
+ */
+Image<std::uint8_t> ReadAlphaFile(const std::filesystem::path& path);
 
 /** One channel of floats, e.g. a depth image in world units, from a 32-bit float TIFF. */
 Image<float> ReadFloatFile(const std::filesystem::path& path);

@@ -2,6 +2,7 @@
 #include "Job.h"
 
 #include "AtomicFile.h"
+#include "DatasetFormats.h"
 #include "UsageError.h"
 
 #include <algorithm>
@@ -20,13 +21,37 @@ void Append(OptionTable& table, OptionTable more)
   table.insert(table.end(), more.begin(), more.end());
 }
 
+/** The calibration's options; `formatKey` is what its format goes by in this command. */
+OptionTable OptionsOf(DatasetSource& source, const char* formatKey)
+{
+  const char* const group = "Calibration";
+  CameraConvention& convention = source.Convention;
+  std::vector<std::string> formats = DatasetFormatNames();
+  formats.insert(formats.begin(), "auto");
+  return {
+    { "calibration", "calibration file (COLMAP: also its folder); found when there is just one", "",
+      group, &source.Calibration },
+    { formatKey, "format of the calibration; auto = found", "", group, &source.Format, -NoLimit,
+      NoLimit, formats },
+    { "axes", "camera's axes: x right, y down, z forward, or x right, y up, z backward", "", group,
+      &convention.Axes, -NoLimit, NoLimit, { "format", "opencv", "opengl" } },
+    { "poses", "what the poses map", "", group, &convention.Poses, -NoLimit, NoLimit,
+      { "format", "world-to-camera", "camera-to-world" } },
+    { "rotationOrder", "how rotations are written: row by row, or transposed", "", group,
+      &convention.RotationOrder, -NoLimit, NoLimit, { "format", "row", "column" } },
+    { "pixelCentre", "coordinate of the centre of the top-left pixel; the format's when not given",
+      "px", group, &convention.PixelCentre, 0, 0.5 },
+    { "flipY", "y of cameras and pixels points up; a left-handed world is mirrored", "", group,
+      &convention.FlipY },
+    { "invertMasks", "the object is black in the masks", "", group, &convention.InvertMasks },
+  };
+}
+
 OptionTable OptionsOf(JobInput& input)
 {
   const char* const group = "Photographs";
-  return {
-    { "dataset", "folder of the photographs, in the Middlebury layout", "", group, &input.Dataset },
-    { "calibration", "calibration file; found when the folder holds just one *_par.txt", "", group,
-      &input.ParFile },
+  OptionTable table = {
+    { "dataset", "folder of the photographs", "", group, &input.Dataset },
     { "exclude", "photographs to leave out", "", group, &input.Exclude },
     { "forceSilhouettes", "extract silhouettes although there are masks", "", group,
       &input.ForceSilhouettes },
@@ -40,6 +65,8 @@ OptionTable OptionsOf(JobInput& input)
     { "silhouetteIgnoreShadows", "leave out shadows cast on a coloured background", "", group,
       &input.Silhouette.IgnoreShadows },
   };
+  Append(table, OptionsOf(input.Source, "format"));
+  return table;
 }
 
 Option ThreadsOption(int& threads)
@@ -274,6 +301,40 @@ OptionTable OptionsOf(GeneratorOptions& options)
     { "masks", "masks to write", "", faults, &options.Masks, -NoLimit, NoLimit,
       { "exact", "threshold", "none" } },
   };
+}
+
+OptionTable OptionsOf(ConvertOptions& options)
+{
+  const char* const convert = "Convert";
+  OptionTable table = {
+    { "format", "format to write", "", convert, &options.Format, -NoLimit, NoLimit,
+      DatasetFormatNames() },
+    { "exclude", "photographs to leave out", "", convert, &options.Exclude },
+    { "undistort", "undistort photographs also where the format could hold the distortion", "",
+      convert, &options.Undistort },
+  };
+  Append(table, OptionsOf(options.Source, "from"));
+  table.push_back(ThreadsOption(options.Threads));
+  return table;
+}
+
+ConvertOptions MakeConvertOptions(
+  const fs::path& dataset, const fs::path& out, const GivenOptions& given)
+{
+  ConvertOptions options;
+  options.Dataset = dataset;
+  options.Out = out;
+  const OptionTable table = OptionsOf(options);
+  for (const auto& [key, words] : given)
+  {
+    SetFromText(Find(table, key), words);
+  }
+  if (options.Format.empty())
+  {
+    throw UsageError(
+      "--format", "no format to write given", "nothing", RangeText(Find(table, "format")));
+  }
+  return options;
 }
 
 Job MakeJob(const fs::path& dataset, const GivenOptions& given)

@@ -3,6 +3,7 @@
 #ifndef novelview_Job_h
 #define novelview_Job_h
 
+#include "Dataset.h"
 #include "Generator.h"
 #include "Options.h"
 #include "Silhouette.h"
@@ -18,8 +19,8 @@ namespace novelview
 /** The photographs and how they are read. */
 struct JobInput
 {
-  std::filesystem::path Dataset;    ///< folder in the Middlebury layout
-  std::filesystem::path ParFile;    ///< empty = the folder's only *_par.txt
+  std::filesystem::path Dataset;    ///< folder
+  DatasetSource Source;             ///< its calibration
   std::vector<std::string> Exclude; ///< photographs to leave out
   bool ForceSilhouettes = false;    ///< extract silhouettes although there are masks
   SilhouetteOptions Silhouette;
@@ -71,12 +72,25 @@ struct EvaluateOptions
   SynthesisOptions Synthesis;
 };
 
+/** A data set in another format: `novelview convert`. */
+struct ConvertOptions
+{
+  std::filesystem::path Dataset;    ///< folder
+  DatasetSource Source;             ///< its calibration
+  std::filesystem::path Out;        ///< another folder
+  std::string Format;               ///< a name of DatasetFormats.h
+  std::vector<std::string> Exclude; ///< photographs to leave out
+  bool Undistort = false;           ///< also where the format could hold the distortion
+  int Threads = 0;
+};
+
 /** The tables: what the options are called, their help, units and ranges. */
 OptionTable OptionsOf(SynthesisOptions& options);
 OptionTable OptionsOf(Job& job);
 OptionTable OptionsOf(RenderOptions& options);
 OptionTable OptionsOf(EvaluateOptions& options);
 OptionTable OptionsOf(GeneratorOptions& options);
+OptionTable OptionsOf(ConvertOptions& options);
 
 /** Words of a command line by the key of their option, in the order given. */
 using GivenOptions = std::vector<std::pair<std::string, std::vector<std::string>>>;
@@ -92,6 +106,10 @@ Job MakeJob(const std::filesystem::path& dataset, const GivenOptions& given);
 RenderOptions MakeRenderOptions(const std::filesystem::path& dataset, const GivenOptions& given);
 EvaluateOptions MakeEvaluateOptions(
   const std::filesystem::path& dataset, const GivenOptions& given);
+
+/** The options of a conversion; they come from the command line alone. Throws UsageError. */
+ConvertOptions MakeConvertOptions(const std::filesystem::path& dataset,
+  const std::filesystem::path& out, const GivenOptions& given);
 
 /**
  * Writes every option of the job that can change its result, so that running the file does the same

@@ -2,19 +2,16 @@
 #include "Middlebury.h"
 
 #include "AtomicFile.h"
-#include "ContourDistance.h"
 #include "Error.h"
 #include "ImageFile.h"
-#include "Parallel.h"
+#include "NumberText.h"
 #include "ViewAccess.h"
 
 #include <vtkImageData.h>
 
 #include <algorithm>
-#include <charconv>
 #include <fstream>
 #include <set>
-#include <sstream>
 
 namespace novelview
 {
@@ -23,28 +20,8 @@ namespace
 {
 constexpr std::size_t NumbersPerLine = 21;
 
-std::vector<std::string> Words(const std::string& line)
-{
-  std::istringstream stream(line);
-  std::vector<std::string> words;
-  for (std::string word; stream >> word;)
-  {
-    words.push_back(word);
-  }
-  return words;
-}
-
-/** The whole text as a number, whatever the locale. */
-template <class T>
-bool ParseNumber(const std::string& text, T& number)
-{
-  const char* begin = text.data() + (text.size() > 1 && text[0] == '+' ? 1 : 0);
-  const char* end = text.data() + text.size();
-  const auto [stop, failure] = std::from_chars(begin, end, number);
-  return failure == std::errc() && stop == end;
-}
-
-NamedCamera ParseLine(const std::vector<std::string>& words, const std::string& where)
+/** A line, with its place as Where. */
+Photograph ParseLine(const std::vector<std::string>& words, const std::string& where)
 {
   if (words.size() != NumbersPerLine + 1)
   {
@@ -62,14 +39,12 @@ NamedCamera ParseLine(const std::vector<std::string>& words, const std::string& 
     }
   }
   using RowMajor3 = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
-  NamedCamera result;
+  Photograph result;
   result.Name = words[0];
   result.Cam.K = Eigen::Map<const RowMajor3>(values);
   result.Cam.R = Eigen::Map<const RowMajor3>(values + 9);
   result.Cam.T = Eigen::Map<const Eigen::Vector3d>(values + 18);
-  Camera sized = result.Cam;
-  sized.Width = sized.Height = 1;
-  ValidateCamera(sized, where + " (" + result.Name + ")");
+  result.Where = where + " (" + result.Name + ")";
   return result;
 }
 
@@ -85,136 +60,15 @@ std::size_t ParseCount(const std::vector<std::string>& words, const std::string&
   return count;
 }
 
-std::string NumberText(double value)
-{
-  // The shortest text that reads back as the same bits.
-  char text[64];
-  return std::string(text, std::to_chars(text, text + sizeof(text), value).ptr);
-}
-
-fs::path FindParFile(const fs::path& folder)
-{
-  const std::vector<std::string> found = ParFilesIn(folder);
-  if (found.size() != 1)
-  {
-    std::string names;
-    for (const std::string& name : found)
-    {
-      names += (names.empty() ? "" : ", ") + name;
-    }
-    throw Error(folder.string(),
-      found.empty() ? "no calibration file" : "several calibration files, choose one",
-      found.empty() ? "none" : names, "one *_par.txt");
-  }
-  return folder / found.front();
-}
-
-/** One photograph, read and prepared. */
-struct Prepared
-{
-  vtkSmartPointer<vtkImageData> Block;
-  Coverage Covered;
-  std::vector<std::string> Warnings;
-  bool Extracted = false;
-};
-
-Prepared Prepare(const DatasetIndex& index, const NamedCamera& named, const DatasetOptions& options)
-{
-  const fs::path file = index.Folder / named.Name;
-  const Image<std::uint8_t> photo = ReadColorFile(file);
-  const fs::path maskFile =
-    options.ForceSilhouettes ? fs::path() : MaskFileOf(index.Folder, named.Name);
-  Prepared result;
-  result.Extracted = maskFile.empty();
-  const Image<std::uint8_t> mask =
-    result.Extracted ? ExtractSilhouette(photo.Ref(), options.Silhouette) : ReadGreyFile(maskFile);
-  if (mask.Width != photo.Width || mask.Height != photo.Height)
-  {
-    throw Error(maskFile.string(), "mask has another size than its photograph",
-      SizeText(mask.Width, mask.Height), SizeText(photo.Width, photo.Height));
-  }
-  result.Covered = MeasureCoverage(mask.Ref());
-  result.Warnings = CheckCoverage(result.Covered, "view " + named.Name);
-  result.Block = NewImage(photo.Width, photo.Height);
-  SetPixels(result.Block, arrays::Color, photo.Ref());
-  SetPixels(result.Block, arrays::Mask, mask.Ref());
-  const Image<float> distance = SignedContourDistance(mask.Ref());
-  SetPixels(result.Block, arrays::ContourDistance, distance.Ref());
-  return result;
-}
-
-std::vector<NamedCamera> WithoutExcluded(
-  const DatasetIndex& index, const std::vector<std::string>& exclude)
-{
-  std::vector<NamedCamera> kept;
-  std::set<std::string> unknown(exclude.begin(), exclude.end());
-  for (const NamedCamera& camera : index.Cameras)
-  {
-    unknown.erase(camera.Name);
-    if (std::find(exclude.begin(), exclude.end(), camera.Name) == exclude.end())
-    {
-      kept.push_back(camera);
-    }
-  }
-  if (!unknown.empty())
-  {
-    throw Error(
-      index.ParFile.string(), "no photograph of the name to exclude: " + *unknown.begin());
-  }
-  if (kept.empty())
-  {
-    throw Error(index.ParFile.string(), "no photograph left");
-  }
-  return kept;
-}
-
-/**
- * A photograph that was resized after its calibration would carve the object away. It shows where
- * another photograph has the same K.
- */
-void CheckSizes(const std::vector<NamedCamera>& cameras, const std::vector<Prepared>& prepared)
-{
-  for (std::size_t i = 1; i < cameras.size(); ++i)
-  {
-    int size[2][3];
-    for (std::size_t j = 0; j < i; ++j)
-    {
-      prepared[i].Block->GetDimensions(size[0]);
-      prepared[j].Block->GetDimensions(size[1]);
-      if (cameras[i].Cam.K == cameras[j].Cam.K &&
-        (size[0][0] != size[1][0] || size[0][1] != size[1][1]))
-      {
-        throw Error("view " + cameras[i].Name,
-          "photograph has another size than " + cameras[j].Name + ", whose K is the same",
-          SizeText(size[0][0], size[0][1]), SizeText(size[1][0], size[1][1]));
-      }
-    }
-  }
-}
-
-/** Says which photographs had no mask, when others had. */
-std::string MissingMasks(
-  const std::vector<NamedCamera>& cameras, const std::vector<Prepared>& prepared)
-{
-  std::string names;
-  bool any = false;
-  for (std::size_t i = 0; i < cameras.size(); ++i)
-  {
-    any |= !prepared[i].Extracted;
-    names += prepared[i].Extracted ? (names.empty() ? "" : ", ") + cameras[i].Name : "";
-  }
-  return any && !names.empty() ? "no mask, silhouette extracted: " + names : "";
-}
-}
-
-std::vector<NamedCamera> ReadCameras(const fs::path& parFile)
+/** The lines of a calibration file as they are. */
+std::vector<Photograph> ReadLines(const fs::path& parFile)
 {
   std::ifstream file(parFile);
   if (!file)
   {
     throw Error(parFile.string(), "calibration file cannot be read");
   }
-  std::vector<NamedCamera> cameras;
+  std::vector<Photograph> cameras;
   std::set<std::string> names;
   std::size_t count = 0;
   int lineNumber = 0;
@@ -249,15 +103,26 @@ std::vector<NamedCamera> ReadCameras(const fs::path& parFile)
   return cameras;
 }
 
-void WriteCameras(const fs::path& parFile, const std::vector<NamedCamera>& cameras)
+Calibration ReadMiddlebury(const fs::path& folder, const fs::path& parFile)
+{
+  Calibration calibration{ ProjectConvention(), ReadLines(parFile) };
+  for (Photograph& photograph : calibration.Photographs)
+  {
+    photograph.File = folder / photograph.Name;
+  }
+  return calibration;
+}
+
+/** A calibration file; `where` is for messages. */
+std::string ParText(const std::vector<NamedCamera>& cameras, const std::string& where)
 {
   std::string text = std::to_string(cameras.size()) + "\n";
   for (const NamedCamera& camera : cameras)
   {
     if (Words(camera.Name).size() != 1 || Words(camera.Name).front() != camera.Name)
     {
-      throw Error(parFile.string(), "a file name with blanks cannot be written",
-        "'" + camera.Name + "'", "a name without blanks");
+      throw Error(where, "a file name with blanks cannot be written", "'" + camera.Name + "'",
+        "a name without blanks");
     }
     text += camera.Name;
     for (const Eigen::Matrix3d* matrix : { &camera.Cam.K, &camera.Cam.R })
@@ -273,7 +138,26 @@ void WriteCameras(const fs::path& parFile, const std::vector<NamedCamera>& camer
     }
     text += "\n";
   }
-  WriteTextAtomically(parFile, text);
+  return text;
+}
+}
+
+std::vector<NamedCamera> ReadCameras(const fs::path& parFile)
+{
+  std::vector<NamedCamera> cameras;
+  for (const Photograph& line : ReadLines(parFile))
+  {
+    Camera sized = line.Cam;
+    sized.Width = sized.Height = 1;
+    ValidateCamera(sized, line.Where);
+    cameras.push_back(line);
+  }
+  return cameras;
+}
+
+void WriteCameras(const fs::path& parFile, const std::vector<NamedCamera>& cameras)
+{
+  WriteTextAtomically(parFile, ParText(cameras, parFile.string()));
 }
 
 std::vector<std::string> ParFilesIn(const fs::path& folder)
@@ -291,59 +175,6 @@ std::vector<std::string> ParFilesIn(const fs::path& folder)
   return found;
 }
 
-DatasetIndex ReadDatasetIndex(const fs::path& folder, const fs::path& parFile)
-{
-  std::error_code failure;
-  if (!fs::is_directory(folder, failure))
-  {
-    throw Error(folder.string(), "no such folder");
-  }
-  DatasetIndex index;
-  index.Folder = folder;
-  index.ParFile = parFile.empty() ? FindParFile(folder) : parFile;
-  index.Cameras = ReadCameras(index.ParFile);
-  return index;
-}
-
-fs::path MaskFileOf(const fs::path& folder, const std::string& name)
-{
-  std::error_code failure;
-  const fs::path same = folder / "mask" / name;
-  const fs::path png = fs::path(same).replace_extension(".png");
-  for (const fs::path& file : { same, png })
-  {
-    if (fs::exists(file, failure))
-    {
-      return file;
-    }
-  }
-  return {};
-}
-
-Dataset ReadDataset(const DatasetIndex& index, const DatasetOptions& options)
-{
-  const std::vector<NamedCamera> cameras = WithoutExcluded(index, options.Exclude);
-  std::vector<Prepared> prepared(cameras.size());
-  ParallelForEach(
-    cameras.size(), [&](std::size_t i) { prepared[i] = Prepare(index, cameras[i], options); });
-  CheckSizes(cameras, prepared);
-  Dataset dataset;
-  dataset.Views = vtkSmartPointer<vtkMultiBlockDataSet>::New();
-  for (std::size_t i = 0; i < cameras.size(); ++i)
-  {
-    AppendView(dataset.Views, cameras[i].Name, prepared[i].Block, cameras[i].Cam);
-    dataset.Coverages.push_back(prepared[i].Covered);
-    dataset.Warnings.insert(
-      dataset.Warnings.end(), prepared[i].Warnings.begin(), prepared[i].Warnings.end());
-  }
-  const std::string missing = MissingMasks(cameras, prepared);
-  if (!missing.empty())
-  {
-    dataset.Warnings.push_back(missing);
-  }
-  return dataset;
-}
-
 void WriteDataset(vtkMultiBlockDataSet* views, const fs::path& folder, const std::string& name)
 {
   std::vector<NamedCamera> cameras;
@@ -357,5 +188,43 @@ void WriteDataset(vtkMultiBlockDataSet* views, const fs::path& folder, const std
   }
   // Last, so that an interrupted writing leaves no data set that looks complete.
   WriteCameras(folder / (name + "_par.txt"), cameras);
+}
+
+DatasetFormat MiddleburyFormat()
+{
+  DatasetFormat format;
+  format.Name = "middlebury";
+  format.LookedFor = "*_par.txt";
+  format.Find = [](const fs::path& folder)
+  {
+    std::vector<fs::path> files;
+    for (const std::string& name : ParFilesIn(folder))
+    {
+      files.push_back(folder / name);
+    }
+    return files;
+  };
+  format.Accepts = [](const fs::path& file)
+  {
+    // Any name will do but those that COLMAP gives.
+    return file.extension() == ".txt" && file.filename() != "images.txt" &&
+      file.filename() != "cameras.txt";
+  };
+  format.Read = ReadMiddlebury;
+  format.MaskFolder = "mask";
+  format.MaskName = [](const std::string& name)
+  { return fs::path(name).replace_extension(".png").string(); };
+  format.HoldsLenses = [](const std::vector<Photograph>& photographs)
+  {
+    return std::all_of(photographs.begin(), photographs.end(),
+      [](const Photograph& photograph) { return photograph.Distortion.IsPinhole(); });
+  };
+  format.Compose = [](const std::string& name, const std::vector<Photograph>& photographs)
+  {
+    const std::string file = name + "_par.txt";
+    return std::vector<FileContent>{ { file,
+      ParText({ photographs.begin(), photographs.end() }, file) } };
+  };
+  return format;
 }
 }

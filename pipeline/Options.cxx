@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Options.h"
 
+#include "NumberText.h"
+
 #include <algorithm>
 #include <cctype>
 #include <charconv>
@@ -29,23 +31,6 @@ std::string StageName(Stage stage)
     }
   }
   return "";
-}
-
-/** The shortest text that reads back as the same value. */
-std::string NumberText(double value)
-{
-  char text[64];
-  return std::string(text, std::to_chars(text, text + sizeof(text), value).ptr);
-}
-
-std::string Joined(const std::vector<std::string>& words, const char* between)
-{
-  std::string text;
-  for (const std::string& word : words)
-  {
-    text += (text.empty() ? "" : between) + word;
-  }
-  return text;
 }
 
 template <class T>
@@ -468,7 +453,7 @@ std::string RangeText(const Option& option)
 {
   if (!option.Choices.empty())
   {
-    return Joined(option.Choices, ", ");
+    return Joined(option.Choices);
   }
   if (std::holds_alternative<Stage*>(option.Target))
   {

@@ -21,18 +21,23 @@ namespace
 /** The picture to compare with; null when there is none. */
 vtkSmartPointer<vtkImageData> TruthOf(const Job& job, const ResolvedView& view)
 {
-  const fs::path picture = job.Truth.empty() ? view.Truth : job.Truth;
-  if (picture.empty())
+  Photograph truth = view.Truth;
+  if (!job.Truth.empty())
+  {
+    // A picture somebody names is as the novel camera would have taken it.
+    truth = Photograph();
+    truth.File = job.Truth;
+    truth.Mask = MaskFileOf(job.Truth.parent_path(), job.Truth.filename().string());
+  }
+  if (truth.File.empty())
   {
     return nullptr;
   }
-  fs::path maskFile = job.TruthMask;
-  if (maskFile.empty())
+  if (!job.TruthMask.empty())
   {
-    maskFile = job.Truth.empty() ? view.TruthMask
-                                 : MaskFileOf(picture.parent_path(), picture.filename().string());
+    truth.Mask = job.TruthMask;
   }
-  return ReadTruth(picture, maskFile, job.Input.Silhouette, view.Cam);
+  return ReadTruth(truth, job.Input.Silhouette, view.Cam);
 }
 
 std::string ScoreLine(const std::string& name, const std::optional<Scores>& scores)
@@ -70,7 +75,7 @@ void WriteReport(
 void RunJob(const Job& job, Console& console)
 {
   SetNumberOfThreads(job.Threads);
-  const DatasetIndex index = ReadDatasetIndex(job.Input.Dataset, job.Input.ParFile);
+  const DatasetIndex index = FindInput(job.Input);
   const ResolvedView view = ResolveViewSpec(job.View, index);
   ValidateCamera(view.Cam, "novel camera");
   PrepareFolder(job.Out);
@@ -118,12 +123,12 @@ void RunJob(const Job& job, Console& console)
 void RenderJob(const RenderOptions& options, Console& console)
 {
   SetNumberOfThreads(options.Threads);
-  const DatasetIndex index = ReadDatasetIndex(options.Input.Dataset, options.Input.ParFile);
-  const std::vector<NamedCamera> cameras = ReadCameras(options.Cameras);
+  const DatasetIndex index = FindInput(options.Input);
+  const std::vector<Photograph> cameras = ReadViewCameras(options.Cameras);
   PrepareFolder(options.Out);
   const Dataset dataset = ReadInput(options.Input, index, {}, console);
   Synthesis synthesis(dataset.Views, options.Synthesis, ListenerFor(console));
-  for (const NamedCamera& camera : cameras)
+  for (const Photograph& camera : cameras)
   {
     ViewSpec spec;
     spec.What = ViewSpec::Kind::File;

@@ -64,10 +64,11 @@ ViewSpec ParseFile(const std::string& text, const std::string& rest)
   return spec;
 }
 
-const NamedCamera& Find(
-  const std::vector<NamedCamera>& cameras, const std::string& name, const std::string& where)
+template <class Named>
+const Named& Find(
+  const std::vector<Named>& cameras, const std::string& name, const std::string& where)
 {
-  for (const NamedCamera& camera : cameras)
+  for (const Named& camera : cameras)
   {
     if (camera.Name == name)
     {
@@ -79,7 +80,7 @@ const NamedCamera& Find(
 }
 
 /** A camera by its photograph's name or its number from 0. */
-const NamedCamera& FindByNameOrNumber(const DatasetIndex& dataset, const std::string& text)
+const Photograph& FindByNameOrNumber(const DatasetIndex& dataset, const std::string& text)
 {
   std::size_t number = 0;
   const auto [stop, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -92,9 +93,10 @@ const NamedCamera& FindByNameOrNumber(const DatasetIndex& dataset, const std::st
     }
     return dataset.Cameras[number];
   }
-  return Find(dataset.Cameras, text, dataset.ParFile.string());
+  return Find(dataset.Cameras, text, dataset.Calibration.string());
 }
 
+/** Sets the size to that of a picture. */
 void SetSizeFrom(Camera& camera, const fs::path& picture)
 {
   const PictureSize size = ReadPictureSize(picture);
@@ -102,28 +104,42 @@ void SetSizeFrom(Camera& camera, const fs::path& picture)
   camera.Height = size.Height;
 }
 
+/** Sets the size to that of a photograph, opening it only when its calibration does not say it. */
+void SetSizeFrom(Camera& camera, const Photograph& photograph)
+{
+  if (photograph.Cam.Width == 0)
+  {
+    SetSizeFrom(camera, photograph.File);
+    return;
+  }
+  camera.Width = photograph.Cam.Width;
+  camera.Height = photograph.Cam.Height;
+}
+
 ResolvedView ResolveFile(const ViewSpec& spec, const DatasetIndex& dataset)
 {
+  const Photograph found = Find(ReadViewCameras(spec.ParFile), spec.Name, spec.ParFile.string());
   ResolvedView view;
-  view.Cam = Find(ReadCameras(spec.ParFile), spec.Name, spec.ParFile.string()).Cam;
-  const fs::path folder = spec.ParFile.parent_path();
+  view.Cam = found.Cam;
   std::error_code failure;
-  if (fs::exists(folder / spec.Name, failure))
+  if (fs::exists(found.File, failure))
   {
-    view.Truth = folder / spec.Name;
-    view.TruthMask = MaskFileOf(folder, spec.Name);
+    view.Truth = found;
   }
   // A camera of the data set's own calibration: its photograph is the truth, so nobody sees it.
-  for (const NamedCamera& camera : dataset.Cameras)
+  for (const Photograph& own : dataset.Cameras)
   {
-    const fs::path own = dataset.Folder / camera.Name;
-    if (!view.Truth.empty() && fs::exists(own, failure) && fs::equivalent(view.Truth, own, failure))
+    if (!view.Truth.File.empty() && fs::exists(own.File, failure) &&
+      fs::equivalent(view.Truth.File, own.File, failure))
     {
-      view.HeldOut = camera.Name;
+      view.HeldOut = own.Name;
+      view.Truth = own;
     }
   }
-  SetSizeFrom(
-    view.Cam, view.Truth.empty() ? dataset.Folder / dataset.Cameras.front().Name : view.Truth);
+  if (view.Cam.Width == 0)
+  {
+    SetSizeFrom(view.Cam, view.Truth.File.empty() ? dataset.Cameras.front() : view.Truth);
+  }
   return view;
 }
 }
@@ -186,18 +202,17 @@ ResolvedView ResolveViewSpec(const ViewSpec& spec, const DatasetIndex& dataset)
   ResolvedView view;
   if (spec.What == ViewSpec::Kind::Like)
   {
-    const NamedCamera& like = FindByNameOrNumber(dataset, spec.Name);
+    const Photograph& like = FindByNameOrNumber(dataset, spec.Name);
     view.Cam = like.Cam;
     view.HeldOut = like.Name;
-    view.Truth = dataset.Folder / like.Name;
-    view.TruthMask = MaskFileOf(dataset.Folder, like.Name);
-    SetSizeFrom(view.Cam, view.Truth);
+    view.Truth = like;
+    SetSizeFrom(view.Cam, like);
     return view;
   }
-  const NamedCamera& from = FindByNameOrNumber(dataset, spec.From);
-  const NamedCamera& to = FindByNameOrNumber(dataset, spec.To);
+  const Photograph& from = FindByNameOrNumber(dataset, spec.From);
+  const Photograph& to = FindByNameOrNumber(dataset, spec.To);
   view.Cam = InterpolateOnOrbit(from.Cam, to.Cam, spec.Fraction);
-  SetSizeFrom(view.Cam, dataset.Folder / from.Name);
+  SetSizeFrom(view.Cam, from);
   return view;
 }
 }

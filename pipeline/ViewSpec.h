@@ -3,7 +3,7 @@
 #define novelview_ViewSpec_h
 
 #include "Camera.h"
-#include "Middlebury.h"
+#include "Dataset.h"
 
 #include <filesystem>
 #include <string>
@@ -17,7 +17,8 @@ namespace novelview
  *                       on their orbit; A and B are names of photographs or numbers from 0
  *     like:IMAGE        the camera of a photograph, which is held out of every stage and is the
  *                       truth to compare with
- *     file:PAR.txt#NAME a camera of a calibration file; a picture NAME beside it is the truth
+ *     file:PAR.txt#NAME a camera of a calibration file of any format; a picture NAME beside it is
+ *                       the truth
  */
 struct ViewSpec
 {
@@ -45,10 +46,9 @@ std::string ViewSpecText(const ViewSpec& spec);
 /** A novel view, ready to be made. */
 struct ResolvedView
 {
-  Camera Cam;                      ///< with its picture's size
-  std::string HeldOut;             ///< photograph that no stage may see; empty = none
-  std::filesystem::path Truth;     ///< picture to compare with; empty = none known
-  std::filesystem::path TruthMask; ///< its silhouette; empty = none known
+  Camera Cam;          ///< with its picture's size
+  std::string HeldOut; ///< photograph that no stage may see; empty = none
+  Photograph Truth;    ///< picture to compare with; File is empty when none is known
 };
 
 /**

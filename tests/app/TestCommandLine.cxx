@@ -24,6 +24,7 @@ struct Outcome
   std::optional<Job> Ran;
   std::optional<RenderOptions> Rendered;
   std::optional<EvaluateOptions> Evaluated;
+  std::optional<ConvertOptions> Converted;
 };
 
 /** Runs a command line in this process, with commands that only note what they were given. */
@@ -49,6 +50,8 @@ Outcome Parse(std::vector<const char*> words, const std::function<void()>& inRun
   { outcome.Rendered = options; };
   commands.Evaluate = [&outcome](const EvaluateOptions& options, Console&)
   { outcome.Evaluated = options; };
+  commands.Convert = [&outcome](const ConvertOptions& options, Console&)
+  { outcome.Converted = options; };
   words.insert(words.begin(), "novelview");
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
@@ -132,6 +135,30 @@ TEST(CommandLine, EvaluateIsGivenItsOptions)
   EXPECT_EQ(outcome.Evaluated->TrueMesh, "t.ply");
   EXPECT_EQ(outcome.Evaluated->Synthesis.References, PresetOptions("paper").References);
   EXPECT_TRUE(outcome.Evaluated->Synthesis.UseDepthMaps);
+}
+
+TEST(CommandLine, ConvertIsGivenItsOptions)
+{
+  const Outcome outcome = Parse({ "convert", "in", "out", "--format", "nerf", "--from", "colmap",
+    "--calibration", "in/sparse/1", "--axes", "opengl", "--poses", "camera-to-world",
+    "--rotation-order", "column", "--pixel-centre", "0.5", "--flip-y", "--invert-masks",
+    "--exclude", "a.png", "--undistort", "--threads", "2" });
+  ASSERT_TRUE(outcome.Converted) << outcome.Err;
+  const ConvertOptions& options = *outcome.Converted;
+  EXPECT_EQ(options.Dataset, "in");
+  EXPECT_EQ(options.Out, "out");
+  EXPECT_EQ(options.Format, "nerf");
+  EXPECT_EQ(options.Source.Format, "colmap");
+  EXPECT_EQ(options.Source.Calibration, "in/sparse/1");
+  EXPECT_EQ(options.Source.Convention.Axes, "opengl");
+  EXPECT_EQ(options.Source.Convention.Poses, "camera-to-world");
+  EXPECT_EQ(options.Source.Convention.RotationOrder, "column");
+  EXPECT_EQ(options.Source.Convention.PixelCentre, 0.5);
+  EXPECT_TRUE(options.Source.Convention.FlipY);
+  EXPECT_TRUE(options.Source.Convention.InvertMasks);
+  EXPECT_EQ(options.Exclude, std::vector<std::string>{ "a.png" });
+  EXPECT_TRUE(options.Undistort);
+  EXPECT_EQ(options.Threads, 2);
 }
 
 TEST(CommandLine, GenerateIsGivenItsOptions)

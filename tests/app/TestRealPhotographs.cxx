@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ProgramRun.h"
 
+#include "Dataset.h"
 #include "ImageFile.h"
 #include "Middlebury.h"
 
@@ -43,7 +44,7 @@ void WriteHalved(const fs::path& from, const fs::path& to)
       to / "mask" / camera.Name, Halved(ReadGreyFile(from / "mask" / camera.Name)).Ref());
     camera.Cam.K = halve * camera.Cam.K;
   }
-  WriteCameras(to / "half_par.txt", index.Cameras);
+  WriteCameras(to / "half_par.txt", { index.Cameras.begin(), index.Cameras.end() });
 }
 }
 

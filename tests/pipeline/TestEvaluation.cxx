@@ -3,6 +3,7 @@
 #include "EvaluationPlan.h"
 #include "EvaluationScores.h"
 #include "ImageFile.h"
+#include "Middlebury.h"
 #include "TestSupport.h"
 #include "ViewAccess.h"
 
@@ -167,7 +168,7 @@ TEST(EvaluationPlan, TestViewsAreTheDefault)
   EXPECT_THAT(NamesOf(plan.Sets[0]), ElementsAre("t0.png", "t1.png", "t2.png"));
   EXPECT_THAT(plan.Sets[0].HeldOut, IsEmpty());
   EXPECT_EQ(plan.Sets[0].References, 6u);
-  EXPECT_EQ(plan.Sets[0].Views[1].View.Truth, folder / "test/t1.png");
+  EXPECT_EQ(plan.Sets[0].Views[1].View.Truth.File, folder / "test/t1.png");
   EXPECT_TRUE(plan.TrueMesh.empty());
   WriteText(folder / "truth.ply", "");
   EXPECT_EQ(MakeEvaluationPlan(options, dataset).TrueMesh, folder / "truth.ply");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ImageFile.h"
 #include "Job.h"
+#include "Middlebury.h"
 #include "TestSupport.h"
 
 #include <set>
@@ -49,8 +50,9 @@ TEST(Options, KeysAndFlagsAreUniqueAndExplained)
   RenderOptions render;
   EvaluateOptions evaluate;
   GeneratorOptions generator;
-  for (const OptionTable& table :
-    { OptionsOf(job), OptionsOf(render), OptionsOf(evaluate), OptionsOf(generator) })
+  ConvertOptions convert;
+  for (const OptionTable& table : { OptionsOf(job), OptionsOf(render), OptionsOf(evaluate),
+         OptionsOf(generator), OptionsOf(convert) })
   {
     std::set<std::string> flags;
     for (const Option& option : table)
@@ -230,7 +232,7 @@ TEST(ViewSpec, BetweenIsTheCameraOnTheOrbit)
       (view.Cam.Centre() - Eigen::Vector3d(3 * std::sin(a), 0, 3 * std::cos(a))).norm(), 1e-9);
     EXPECT_EQ(SizeText(view.Cam.Width, view.Cam.Height), "32x24");
     EXPECT_TRUE(view.HeldOut.empty());
-    EXPECT_TRUE(view.Truth.empty());
+    EXPECT_TRUE(view.Truth.File.empty());
   }
 }
 
@@ -240,13 +242,13 @@ TEST(ViewSpec, LikeHoldsThePhotographOut)
   const DatasetIndex dataset = MakeDataset(folder);
   ResolvedView view = ResolveViewSpec(ParseViewSpec("like:c1.png"), dataset);
   EXPECT_EQ(view.HeldOut, "c1.png");
-  EXPECT_EQ(view.Truth, folder / "c1.png");
-  EXPECT_TRUE(view.TruthMask.empty());
+  EXPECT_EQ(view.Truth.File, folder / "c1.png");
+  EXPECT_TRUE(view.Truth.Mask.empty());
   EXPECT_EQ(view.Cam.R, dataset.Cameras[1].Cam.R);
   EXPECT_EQ(SizeText(view.Cam.Width, view.Cam.Height), "40x30");
   WriteImageFile(folder / "mask/c1.png", Image<std::uint8_t>(40, 30).Ref());
   view = ResolveViewSpec(ParseViewSpec("like:c1.png"), dataset);
-  EXPECT_EQ(view.TruthMask, folder / "mask/c1.png");
+  EXPECT_EQ(view.Truth.Mask, folder / "mask/c1.png");
 }
 
 TEST(ViewSpec, FileTakesTheCameraAndThePictureBesideItAsTruth)
@@ -260,10 +262,10 @@ TEST(ViewSpec, FileTakesTheCameraAndThePictureBesideItAsTruth)
   const ResolvedView without = ResolveViewSpec(ParseViewSpec(file + "#t0.png"), dataset);
   EXPECT_EQ(without.Cam.T, dataset.Cameras[2].Cam.T);
   EXPECT_EQ(SizeText(without.Cam.Width, without.Cam.Height), "32x24");
-  EXPECT_TRUE(without.Truth.empty());
+  EXPECT_TRUE(without.Truth.File.empty());
   const ResolvedView with = ResolveViewSpec(ParseViewSpec(file + "#t1.png"), dataset);
   EXPECT_EQ(SizeText(with.Cam.Width, with.Cam.Height), "50x20");
-  EXPECT_EQ(with.Truth, folder / "test/t1.png");
+  EXPECT_EQ(with.Truth.File, folder / "test/t1.png");
   EXPECT_TRUE(with.HeldOut.empty());
   // Asked for by the data set's own calibration, a photograph is held out all the same.
   const ResolvedView own =

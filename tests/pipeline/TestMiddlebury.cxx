@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "Dataset.h"
 #include "ImageFile.h"
 #include "Middlebury.h"
 #include "TestSupport.h"
@@ -240,11 +241,11 @@ TEST_F(Middlebury, CalibrationToChooseIsNamed)
   ExpectError([&] { ReadDatasetIndex(this->Folder / "nowhere"); }, "nowhere", "no such folder");
   std::filesystem::copy_file(this->ParFile(), this->Folder / "other_par.txt");
   ExpectError(index, "several calibration files", "ball_par.txt, other_par.txt");
-  EXPECT_EQ(ReadDatasetIndex(this->Folder.Path, this->Folder / "other_par.txt").Cameras.size(), 3u);
+  EXPECT_EQ(ReadDatasetIndex(this->Folder.Path, { this->Folder / "other_par.txt" }).Cameras.size(), 3u);
   std::filesystem::remove(this->ParFile());
   std::filesystem::remove(this->Folder / "other_par.txt");
   ExpectError(index, this->Folder.Path.string(), "no calibration file", "*_par.txt");
-  ExpectError([&] { ReadDatasetIndex(this->Folder.Path, this->Folder / "none.txt"); }, "none.txt",
+  ExpectError([&] { ReadDatasetIndex(this->Folder.Path, { this->Folder / "none.txt" }); }, "none.txt",
     "cannot be read");
 }
 

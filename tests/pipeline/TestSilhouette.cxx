@@ -2,7 +2,7 @@
 #include "ContourDistance.h"
 #include "Error.h"
 #include "ImageFile.h"
-#include "Middlebury.h"
+#include "Dataset.h"
 #include "Silhouette.h"
 #include "TestSupport.h"
 

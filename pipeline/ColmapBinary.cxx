@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ColmapModel.h"
+#include "Error.h"
+
+#include <bit>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+
+namespace novelview
+{
+static_assert(std::endian::native == std::endian::little, "COLMAP's files are little-endian");
+
+namespace fs = std::filesystem;
+namespace
+{
+/** Numbers and texts one after the other; never reads behind the end. */
+class ByteReader
+{
+public:
+  explicit ByteReader(const fs::path& path)
+    : Path(path.string())
+  {
+    std::ifstream file(path, std::ios::binary);
+    if (!file)
+    {
+      throw Error(this->Path, "cannot be read");
+    }
+    this->Bytes.assign(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
+  }
+
+  template <class T>
+  T Take()
+  {
+    this->Need(sizeof(T));
+    T value;
+    std::memcpy(&value, this->Bytes.data() + this->At, sizeof(T));
+    this->At += sizeof(T);
+    return value;
+  }
+
+  /** A text up to its zero. */
+  std::string TakeText()
+  {
+    const std::size_t end = this->Bytes.find('\0', this->At);
+    this->Need(end == std::string::npos ? this->Left() + 1 : end - this->At + 1);
+    std::string text = this->Bytes.substr(this->At, end - this->At);
+    this->At = end + 1;
+    return text;
+  }
+
+  /** Passes over `count` things of `size` bytes. */
+  void Skip(std::uint64_t count, std::size_t size)
+  {
+    this->Need(count > this->Left() / size ? this->Left() + 1 : count * size);
+    this->At += count * size;
+  }
+
+  /** The end must have been reached. */
+  void Finish() const
+  {
+    if (this->Left() > 0)
+    {
+      throw Error(this->Where(), "file goes on behind its end",
+        std::to_string(this->Left()) + " bytes more", "none");
+    }
+  }
+
+  std::string Where() const { return this->Path + ", byte " + std::to_string(this->At); }
+
+private:
+  std::size_t Left() const { return this->Bytes.size() - this->At; }
+  void Need(std::size_t count) const
+  {
+    if (count > this->Left())
+    {
+      throw Error(this->Where(), "file ends too early");
+    }
+  }
+
+  std::string Path;
+  std::string Bytes;
+  std::size_t At = 0;
+};
+
+template <class T>
+void Put(std::string& bytes, T value)
+{
+  char raw[sizeof(T)];
+  std::memcpy(raw, &value, sizeof(T));
+  bytes.append(raw, sizeof(T));
+}
+
+int TakeExtent(ByteReader& reader)
+{
+  const std::string where = reader.Where();
+  const auto extent = reader.Take<std::uint64_t>();
+  if (extent > 1u << 20)
+  {
+    throw Error(where, "width or height is out of range", std::to_string(extent), "at most 2^20");
+  }
+  return static_cast<int>(extent);
+}
+
+std::vector<ColmapCamera> ReadCameraRecords(const fs::path& path)
+{
+  ByteReader reader(path);
+  std::vector<ColmapCamera> cameras;
+  const auto count = reader.Take<std::uint64_t>();
+  for (std::uint64_t i = 0; i < count; ++i)
+  {
+    ColmapCamera camera;
+    camera.Where = reader.Where();
+    camera.Id = reader.Take<std::uint32_t>();
+    const auto model = reader.Take<std::int32_t>();
+    camera.Model = ColmapModelName(model);
+    if (camera.Model.empty())
+    {
+      throw Error(camera.Where, "unknown camera model", std::to_string(model), "0 to 17");
+    }
+    camera.Width = TakeExtent(reader);
+    camera.Height = TakeExtent(reader);
+    for (int parameter = 0; parameter < ColmapParameterCount(camera.Model); ++parameter)
+    {
+      camera.Parameters.push_back(reader.Take<double>());
+    }
+    cameras.push_back(camera);
+  }
+  reader.Finish();
+  return cameras;
+}
+
+std::vector<ColmapImage> ReadImageRecords(const fs::path& path)
+{
+  ByteReader reader(path);
+  std::vector<ColmapImage> images;
+  const auto count = reader.Take<std::uint64_t>();
+  for (std::uint64_t i = 0; i < count; ++i)
+  {
+    ColmapImage image;
+    image.Where = reader.Where();
+    image.Id = reader.Take<std::uint32_t>();
+    for (double& number : image.Rotation)
+    {
+      number = reader.Take<double>();
+    }
+    for (double& number : image.Translation)
+    {
+      number = reader.Take<double>();
+    }
+    image.CameraId = reader.Take<std::uint32_t>();
+    image.Name = reader.TakeText();
+    // Points: x, y and the number of a point in space.
+    const auto points = reader.Take<std::uint64_t>();
+    reader.Skip(points, 2 * sizeof(double) + sizeof(std::int64_t));
+    images.push_back(image);
+  }
+  reader.Finish();
+  return images;
+}
+}
+
+ColmapModel ReadColmapBinary(const fs::path& folder)
+{
+  return { ReadCameraRecords(folder / "cameras.bin"), ReadImageRecords(folder / "images.bin") };
+}
+
+std::vector<FileContent> ComposeColmapBinary(const ColmapModel& model)
+{
+  std::string cameras;
+  Put<std::uint64_t>(cameras, model.Cameras.size());
+  for (const ColmapCamera& camera : model.Cameras)
+  {
+    Put<std::uint32_t>(cameras, camera.Id);
+    Put<std::int32_t>(cameras, ColmapModelNumber(camera.Model));
+    Put<std::uint64_t>(cameras, static_cast<std::uint64_t>(camera.Width));
+    Put<std::uint64_t>(cameras, static_cast<std::uint64_t>(camera.Height));
+    for (const double parameter : camera.Parameters)
+    {
+      Put<double>(cameras, parameter);
+    }
+  }
+  std::string images;
+  Put<std::uint64_t>(images, model.Images.size());
+  for (const ColmapImage& image : model.Images)
+  {
+    Put<std::uint32_t>(images, image.Id);
+    for (const double number : image.Rotation)
+    {
+      Put<double>(images, number);
+    }
+    for (const double number : image.Translation)
+    {
+      Put<double>(images, number);
+    }
+    Put<std::uint32_t>(images, image.CameraId);
+    images += image.Name;
+    images += '\0';
+    Put<std::uint64_t>(images, 0);
+  }
+  std::string points;
+  Put<std::uint64_t>(points, 0);
+  return { { "points3D.bin", points }, { "cameras.bin", cameras }, { "images.bin", images } };
+}
+}

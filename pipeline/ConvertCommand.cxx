@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ConvertCommand.h"
+
+#include "AtomicFile.h"
+#include "CommandSupport.h"
+#include "Dataset.h"
+#include "DatasetFormats.h"
+#include "ImageFile.h"
+#include "Parallel.h"
+#include "UsageError.h"
+
+#include <algorithm>
+#include <set>
+
+namespace novelview
+{
+namespace fs = std::filesystem;
+namespace
+{
+void CopyFile(const fs::path& from, const fs::path& to)
+{
+  WriteAtomically(to,
+    [&](const fs::path& temporary)
+    {
+      std::error_code failure;
+      return fs::copy_file(from, temporary, fs::copy_options::overwrite_existing, failure);
+    });
+}
+
+/** A photograph and what it becomes. */
+struct Conversion
+{
+  Photograph From;
+  Photograph To; ///< name and camera as written; Mask is set by Transfer()
+  bool Undistort = false;
+};
+
+/** What is to be done, with every name checked and every size known. */
+std::vector<Conversion> Plan(const std::vector<Photograph>& photographs, bool undistort)
+{
+  std::vector<Conversion> plan;
+  std::set<std::string> names;
+  for (const Photograph& photograph : photographs)
+  {
+    Conversion each{ photograph, photograph, undistort && !photograph.Distortion.IsPinhole() };
+    Photograph& to = each.To;
+    to.Name = NameOfFile(photograph.Name);
+    if (each.Undistort)
+    {
+      to.Name = fs::path(to.Name).replace_extension(".png").string();
+      to.Distortion = Lens();
+    }
+    if (to.Name.empty() || !names.insert(to.Name).second)
+    {
+      throw Error(
+        "view " + photograph.Name, "two photographs would be written as '" + to.Name + "'");
+    }
+    if (to.Cam.Width == 0)
+    {
+      const PictureSize size = ReadPictureSize(photograph.File);
+      to.Cam.Width = size.Width;
+      to.Cam.Height = size.Height;
+    }
+    to.Mask.clear();
+    plan.push_back(each);
+  }
+  return plan;
+}
+
+std::vector<Photograph> Written(const std::vector<Conversion>& plan)
+{
+  std::vector<Photograph> written;
+  for (const Conversion& each : plan)
+  {
+    written.push_back(each.To);
+  }
+  return written;
+}
+
+/** Throws when the folder is no place to write into. */
+void CheckFolder(const fs::path& from, const fs::path& out, const std::vector<FileContent>& files)
+{
+  std::error_code failure;
+  if (!fs::exists(out, failure))
+  {
+    return;
+  }
+  if (fs::equivalent(from, out, failure))
+  {
+    throw UsageError(out.string(), "is the folder to read; the new data set needs its own");
+  }
+  for (const FoundCalibration& other : CalibrationsIn(out))
+  {
+    if (std::none_of(files.begin(), files.end(),
+          [&](const FileContent& file) { return out / file.Path == other.File; }))
+    {
+      throw UsageError(out.string(),
+        "holds another data set already: " + other.File.lexically_relative(out).string());
+    }
+  }
+}
+
+/** The mask as it is to be written; empty when the photograph has none. */
+Image<std::uint8_t> MaskPixels(const Conversion& each)
+{
+  Image<std::uint8_t> mask = ReadGivenMask(each.From);
+  if (mask.Values.empty())
+  {
+    return mask;
+  }
+  if (mask.Width != each.To.Cam.Width || mask.Height != each.To.Cam.Height)
+  {
+    throw Error(each.From.Mask.string(), "mask has another size than its photograph",
+      SizeText(mask.Width, mask.Height), SizeText(each.To.Cam.Width, each.To.Cam.Height));
+  }
+  return each.Undistort ? Undistorted(mask.Ref(), each.From.Distortion, each.From.Cam.K) : mask;
+}
+
+/** Writes photograph and mask. */
+void Transfer(Conversion& each, const DatasetFormat& format, const fs::path& out)
+{
+  const Photograph& from = each.From;
+  const fs::path photo = out / format.PhotoFolder / each.To.Name;
+  if (each.Undistort)
+  {
+    const Image<std::uint8_t> color = ReadColorFile(from.File);
+    WriteImageFile(photo, Undistorted(color.Ref(), from.Distortion, from.Cam.K).Ref());
+  }
+  else
+  {
+    const PictureSize size = ReadPictureSize(from.File);
+    if (size.Width != each.To.Cam.Width || size.Height != each.To.Cam.Height)
+    {
+      throw Error(from.File.string(), "photograph has another size than its calibration",
+        SizeText(size.Width, size.Height), SizeText(each.To.Cam.Width, each.To.Cam.Height));
+    }
+    CopyFile(from.File, photo);
+  }
+  const Image<std::uint8_t> mask = MaskPixels(each);
+  if (mask.Values.empty())
+  {
+    return;
+  }
+  each.To.Mask = fs::path(format.MaskFolder) / format.MaskName(each.To.Name);
+  const bool asItIs = !each.Undistort && !from.InvertMask && from.Mask.extension() == ".png";
+  if (asItIs)
+  {
+    CopyFile(from.Mask, out / each.To.Mask);
+  }
+  else
+  {
+    WriteImageFile(out / each.To.Mask, mask.Ref());
+  }
+}
+
+void Report(const std::vector<Conversion>& plan, const fs::path& calibration, Console& console)
+{
+  const auto undistorted =
+    std::count_if(plan.begin(), plan.end(), [](const Conversion& each) { return each.Undistort; });
+  const auto masks = std::count_if(
+    plan.begin(), plan.end(), [](const Conversion& each) { return !each.To.Mask.empty(); });
+  console.Info(std::to_string(plan.size()) + " photographs (" + std::to_string(undistorted) +
+    " undistorted), " + std::to_string(masks) + " masks");
+  console.Info("calibration: " + calibration.string());
+  console.Summary();
+}
+}
+
+void ConvertDataset(const ConvertOptions& options, Console& console)
+{
+  const DatasetFormat& format = FormatOf(options.Format);
+  const DatasetIndex index = ReadDatasetIndex(options.Dataset, options.Source);
+  const std::vector<Photograph> photographs = WithoutExcluded(index, options.Exclude);
+  std::vector<Conversion> plan =
+    Plan(photographs, options.Undistort || !format.HoldsLenses(photographs));
+  const std::string folderName =
+    fs::weakly_canonical(fs::absolute(options.Out)).filename().string();
+  const std::string name = folderName.empty() ? "cameras" : folderName;
+  // Once before anything is written: the format may not hold these cameras.
+  CheckFolder(options.Dataset, options.Out, format.Compose(name, Written(plan)));
+  PrepareFolder(options.Out);
+  console.Progress("writing photographs", 0);
+  ParallelForEach(plan.size(), [&](std::size_t i) { Transfer(plan[i], format, options.Out); });
+  const std::vector<FileContent> files = format.Compose(name, Written(plan));
+  for (const FileContent& file : files)
+  {
+    WriteTextAtomically(options.Out / file.Path, file.Bytes);
+  }
+  Report(plan, options.Out / files.back().Path, console);
+}
+}

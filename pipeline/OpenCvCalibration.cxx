@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "OpenCvCalibration.h"
+
+#include "Error.h"
+#include "ImageFile.h"
+#include "NumberText.h"
+#include "PhotographFiles.h"
+
+#include <opencv2/calib3d.hpp>
+#include <opencv2/core.hpp>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <iterator>
+
+namespace novelview
+{
+namespace fs = std::filesystem;
+namespace
+{
+/** A node of a map by its key; null when there is none. Samples differ in capitals. */
+cv::FileNode NodeOf(const cv::FileNode& map, const std::string& key)
+{
+  const auto spelt = [&map](std::string name) { return map[name]; };
+  if (const cv::FileNode node = spelt(key); !node.empty())
+  {
+    return node;
+  }
+  std::string capital = key;
+  bool first = true;
+  for (char& c : capital)
+  {
+    c = first ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
+    first = c == '_';
+  }
+  return spelt(capital);
+}
+
+/** What a view says and, behind it, what the whole file says for all. */
+struct ViewNodes
+{
+  cv::FileNode Own;
+  cv::FileNode Shared;
+  std::string Where;
+
+  cv::FileNode Find(const std::string& key) const
+  {
+    const cv::FileNode own = NodeOf(this->Own, key);
+    return own.empty() ? NodeOf(this->Shared, key) : own;
+  }
+
+  /** The numbers of a matrix or of a list, row by row; none when the key is missing. */
+  std::vector<double> Numbers(const std::string& key) const
+  {
+    const cv::FileNode node = this->Find(key);
+    std::vector<double> numbers;
+    if (node.isSeq())
+    {
+      for (const cv::FileNode& each : node)
+      {
+        numbers.push_back(each.real());
+      }
+    }
+    else if (node.isMap())
+    {
+      cv::Mat matrix;
+      node.mat().convertTo(matrix, CV_64F);
+      numbers.assign(matrix.begin<double>(), matrix.end<double>());
+    }
+    return numbers;
+  }
+
+  std::vector<double> Needed(const std::string& key, std::size_t count) const
+  {
+    const std::vector<double> numbers = this->Numbers(key);
+    if (numbers.size() != count)
+    {
+      throw Error(this->Where, "wrong length of \"" + key + "\"",
+        numbers.empty() ? "none" : std::to_string(numbers.size()) + " numbers",
+        std::to_string(count));
+    }
+    return numbers;
+  }
+
+  int Whole(const std::string& key) const
+  {
+    const cv::FileNode node = this->Find(key);
+    return node.isInt() ? static_cast<int>(node) : (node.isReal() ? cvRound(node.real()) : 0);
+  }
+};
+
+using RowMajor3 = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+
+Eigen::Matrix3d RotationOf(const double* rvec)
+{
+  cv::Matx33d rotation;
+  cv::Rodrigues(cv::Vec3d(rvec), rotation);
+  return Eigen::Map<const RowMajor3>(rotation.val);
+}
+
+Lens LensOf(const ViewNodes& nodes)
+{
+  Lens lens;
+  const cv::FileNode model = nodes.Find("distortion_model");
+  const std::string name = model.isString() ? static_cast<std::string>(model) : "";
+  if (name == "fisheye" || (name.empty() && nodes.Whole("fisheye_model") == 1))
+  {
+    lens.Kind = Lens::Model::Fisheye;
+  }
+  else if (!name.empty() && name != "perspective" && name != "plumb_bob" &&
+    name != "rational_polynomial")
+  {
+    throw Error(nodes.Where, "unknown distortion model", name,
+      "perspective, plumb_bob, rational_polynomial or fisheye");
+  }
+  lens.Coefficients = nodes.Numbers("distortion_coefficients");
+  return lens;
+}
+
+/** Everything but name, file and pose. */
+Photograph IntrinsicsOf(const ViewNodes& nodes)
+{
+  Photograph photograph;
+  photograph.Where = nodes.Where;
+  photograph.Cam.K = Eigen::Map<const RowMajor3>(nodes.Needed("camera_matrix", 9).data());
+  photograph.Cam.Width = nodes.Whole("image_width");
+  photograph.Cam.Height = nodes.Whole("image_height");
+  photograph.Distortion = LensOf(nodes);
+  return photograph;
+}
+
+std::vector<Photograph> ReadViews(const cv::FileNode& root, const fs::path& file)
+{
+  std::vector<Photograph> photographs;
+  for (const cv::FileNode& view : root["views"])
+  {
+    const std::string place = file.string() + ", view " + std::to_string(photographs.size());
+    const cv::FileNode image = view["image"];
+    if (!image.isString())
+    {
+      throw Error(place, "has no \"image\"");
+    }
+    const auto path = static_cast<std::string>(image);
+    const ViewNodes nodes{ view, root, place + " (" + path + ")" };
+    Photograph photograph = IntrinsicsOf(nodes);
+    photograph.Name = NameOfFile(path);
+    photograph.File = file.parent_path() / path;
+    if (const cv::FileNode mask = view["mask"]; mask.isString())
+    {
+      photograph.Mask = file.parent_path() / static_cast<std::string>(mask);
+    }
+    photograph.Cam.R = view["R"].empty()
+      ? RotationOf(nodes.Needed("rvec", 3).data())
+      : Eigen::Matrix3d(Eigen::Map<const RowMajor3>(nodes.Needed("R", 9).data()));
+    photograph.Cam.T = Eigen::Map<const Eigen::Vector3d>(nodes.Needed("tvec", 3).data());
+    photographs.push_back(photograph);
+  }
+  return photographs;
+}
+
+/** The photographs' files of a calibration sample: a list of texts, or texts with blanks between. */
+std::vector<fs::path> ListedImages(const cv::FileNode& root, const fs::path& folder)
+{
+  std::vector<fs::path> files;
+  const cv::FileNode images = root["images"];
+  if (images.isString())
+  {
+    for (const std::string& word : Words(static_cast<std::string>(images)))
+    {
+      files.push_back(folder / word);
+    }
+  }
+  for (const cv::FileNode& image : images.isSeq() ? images : cv::FileNode())
+  {
+    files.push_back(folder / static_cast<std::string>(image));
+  }
+  if (files.empty())
+  {
+    for (const std::string& name : PhotographsIn(folder))
+    {
+      files.push_back(folder / name);
+    }
+  }
+  return files;
+}
+
+std::vector<Photograph> ReadSample(const cv::FileNode& root, const fs::path& file)
+{
+  const ViewNodes nodes{ root, root, file.string() };
+  const std::vector<double> poses = nodes.Numbers("extrinsic_parameters");
+  if (poses.empty() || poses.size() % 6 != 0)
+  {
+    throw Error(file.string(), "no poses", "neither",
+      "\"views\", or \"extrinsic_parameters\" with rows of 6 numbers");
+  }
+  const std::vector<fs::path> files = ListedImages(root, file.parent_path());
+  const std::size_t count = poses.size() / 6;
+  if (files.size() != count)
+  {
+    throw Error(file.string(), "not as many photographs as poses", std::to_string(files.size()),
+      std::to_string(count) + ", in \"images\" or in the folder");
+  }
+  std::vector<Photograph> photographs;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    Photograph photograph = IntrinsicsOf(nodes);
+    photograph.File = files[i];
+    photograph.Name = NameOfFile(files[i].lexically_relative(file.parent_path()));
+    photograph.Where = file.string() + ", pose " + std::to_string(i) + " (" + photograph.Name + ")";
+    photograph.Cam.R = RotationOf(&poses[6 * i]);
+    photograph.Cam.T = Eigen::Map<const Eigen::Vector3d>(&poses[6 * i + 3]);
+    photographs.push_back(photograph);
+  }
+  return photographs;
+}
+
+Calibration ReadOpenCv(const fs::path&, const fs::path& file)
+{
+  SilenceOpenCv();
+  try
+  {
+    const cv::FileStorage storage(file.string(), cv::FileStorage::READ);
+    if (!storage.isOpened())
+    {
+      throw Error(file.string(), "cannot be read");
+    }
+    const cv::FileNode root = storage.root();
+    return { ProjectConvention(),
+      root["views"].isSeq() ? ReadViews(root, file) : ReadSample(root, file) };
+  }
+  catch (const cv::Exception& error)
+  {
+    throw Error(file.string(), "is no calibration of OpenCV: " + error.err);
+  }
+}
+
+bool HoldsCameraMatrix(const fs::path& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  return text.find("camera_matrix") != std::string::npos ||
+    text.find("Camera_Matrix") != std::string::npos;
+}
+
+bool IsStorage(const fs::path& path)
+{
+  const std::string extension = path.extension().string();
+  return extension == ".yml" || extension == ".yaml" || extension == ".xml";
+}
+
+std::vector<fs::path> FindOpenCv(const fs::path& folder)
+{
+  std::vector<fs::path> files;
+  std::error_code failure;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, failure))
+  {
+    if (entry.is_regular_file() && IsStorage(entry.path()) && HoldsCameraMatrix(entry.path()))
+    {
+      files.push_back(entry.path());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/** The coefficients with zeros at the end, as many as OpenCV's functions take. */
+cv::Mat CoefficientsOf(const Lens& lens)
+{
+  std::vector<double> numbers = lens.Coefficients;
+  for (const std::size_t count : { 14, 12, 8, 5, 4 })
+  {
+    if (lens.Coefficients.size() <= count)
+    {
+      numbers.resize(count, 0);
+    }
+  }
+  return cv::Mat(numbers, true);
+}
+
+cv::Mat MatOf(const Eigen::Matrix3d& matrix)
+{
+  const RowMajor3 rows = matrix;
+  return cv::Mat(3, 3, CV_64F, const_cast<double*>(rows.data())).clone();
+}
+
+std::vector<FileContent> ComposeOpenCv(
+  const std::string&, const std::vector<Photograph>& photographs)
+{
+  cv::FileStorage storage("cameras.yml", cv::FileStorage::WRITE | cv::FileStorage::MEMORY);
+  storage << "views"
+          << "[";
+  for (const Photograph& photograph : photographs)
+  {
+    const Camera& camera = photograph.Cam;
+    const Lens& lens = photograph.Distortion;
+    storage << "{"
+            << "image" << photograph.Name;
+    if (!photograph.Mask.empty())
+    {
+      storage << "mask" << photograph.Mask.string();
+    }
+    storage << "image_width" << camera.Width << "image_height" << camera.Height << "camera_matrix"
+            << MatOf(camera.K);
+    if (!lens.IsPinhole())
+    {
+      const bool isFisheye = lens.Kind == Lens::Model::Fisheye;
+      storage << "distortion_model" << (isFisheye ? "fisheye" : "perspective")
+              << "distortion_coefficients" << CoefficientsOf(lens);
+    }
+    storage << "R" << MatOf(camera.R) << "tvec"
+            << cv::Mat(cv::Vec3d(camera.T.x(), camera.T.y(), camera.T.z())) << "}";
+  }
+  storage << "]";
+  return { { "cameras.yml", storage.releaseAndGetString() } };
+}
+}
+
+DatasetFormat OpenCvFormat()
+{
+  DatasetFormat format;
+  format.Name = "opencv";
+  format.LookedFor = "*.yml, *.yaml or *.xml with a camera_matrix";
+  format.Find = FindOpenCv;
+  format.Accepts = IsStorage;
+  format.Read = ReadOpenCv;
+  format.MaskFolder = "masks";
+  format.MaskName = [](const std::string& name) { return name + ".png"; };
+  format.HoldsLenses = [](const std::vector<Photograph>&) { return true; };
+  format.Compose = ComposeOpenCv;
+  return format;
+}
+}

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Private to the pipeline's sources: what writers of calibrations have in common.
+#ifndef novelview_WriteChecks_h
+#define novelview_WriteChecks_h
+
+#include "Error.h"
+#include "NumberText.h"
+#include "Photograph.h"
+
+#include <Eigen/Dense>
+
+#include <string>
+
+namespace novelview
+{
+/** For formats that have no number for a skew. */
+inline void RefuseSkew(const Photograph& photograph, const std::string& format)
+{
+  const double skew = photograph.Cam.K(0, 1);
+  if (skew != 0)
+  {
+    throw Error("view " + photograph.Name,
+      "K has a skew, which the format " + format + " cannot hold", NumberText(skew), "0");
+  }
+}
+
+/** The rotation nearest to a matrix that is one to a few digits. */
+inline Eigen::Matrix3d NearestRotation(const Eigen::Matrix3d& matrix)
+{
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  return svd.matrixU() * svd.matrixV().transpose();
+}
+}
+
+#endif

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `novelview convert`, by the built program: the stages see the same in every format.
+#include "ProgramRun.h"
+
+#include "ImageFile.h"
+
+using namespace novelview;
+using namespace novelview::testing_support;
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+namespace
+{
+/** A small bunny for all tests here; a view takes about a second. */
+class ConvertProgram : public testing::Test
+{
+protected:
+  static void SetUpTestSuite()
+  {
+    Bunny = std::make_unique<GeneratedData>(
+      std::vector<std::string>{ "--views", "8", "--step", "45", "--size", "160x120" });
+  }
+  static void TearDownTestSuite() { Bunny.reset(); }
+
+  static std::string Data() { return Bunny->Data().string(); }
+  static fs::path In(const std::string& name) { return Bunny->Folder / name; }
+
+  /** The novel view of a data set, between two cameras by their numbers. */
+  static fs::path View(
+    const std::string& data, const std::string& out, const std::vector<std::string>& more = {})
+  {
+    MustRun(With({ "run", data, "--quiet", "--view", "between:1,2", "--no-iterations", "--out",
+                   In(out).string() },
+      more));
+    return In(out);
+  }
+
+  static inline std::unique_ptr<GeneratedData> Bunny;
+};
+
+/** Expects two novel views to be the same but for rounding in the cameras. */
+void ExpectSameView(const fs::path& a, const fs::path& b)
+{
+  const Image<std::uint8_t> pictureA = ReadColorFile(a / "novel.png");
+  const Image<std::uint8_t> pictureB = ReadColorFile(b / "novel.png");
+  ASSERT_EQ(pictureA.Values.size(), pictureB.Values.size());
+  std::size_t differing = 0;
+  int most = 0;
+  for (std::size_t i = 0; i < pictureA.Values.size(); ++i)
+  {
+    const int difference = std::abs(pictureA.Values[i] - pictureB.Values[i]);
+    differing += difference > 0;
+    most = std::max(most, difference);
+  }
+  // Poses come back with other last bits, so a value may round to its neighbour here and there.
+  EXPECT_LE(differing, pictureA.Values.size() / 1000);
+  EXPECT_LE(most, 1);
+}
+}
+
+TEST_F(ConvertProgram, ThroughColmapTheNovelViewIsTheSame)
+{
+  MustRun({ "convert", Data(), In("colmap").string(), "--format", "colmap", "--quiet" });
+  EXPECT_TRUE(HalfWritten(In("colmap")).empty());
+  ExpectSameView(View(Data(), "direct"), View(In("colmap").string(), "through"));
+}
+
+TEST_F(ConvertProgram, AJobRemembersHowTheDataSetIsToBeRead)
+{
+  // OpenCV's cameras in a file that is said to be NeRF's: only the options make it right.
+  MustRun({ "convert", Data(), In("nerf").string(), "--format", "nerf", "--quiet" });
+  auto transforms = ReadJson(In("nerf") / "transforms.json");
+  for (auto& frame : transforms["frames"])
+  {
+    for (int row = 0; row < 3; ++row)
+    {
+      for (int column : { 1, 2 })
+      {
+        frame["transform_matrix"][row][column] =
+          -frame["transform_matrix"][row][column].get<double>();
+      }
+    }
+  }
+  WriteText(In("nerf") / "transforms.json", transforms.dump());
+  const fs::path made =
+    View(In("nerf").string(), "axes", { "--axes", "opencv", "--format", "nerf" });
+  ExpectSameView(View(Data(), "plain"), made);
+  const auto job = ReadJson(made / "job.json");
+  EXPECT_EQ(job["axes"], "opencv");
+  EXPECT_EQ(job["format"], "nerf");
+  EXPECT_EQ(job["poses"], "format");
+  EXPECT_TRUE(job["pixelCentre"].is_null());
+  MustRun({ "run", (made / "job.json").string(), "--quiet", "--out", In("again").string() });
+  EXPECT_EQ(ReadText(In("again") / "novel.png"), ReadText(made / "novel.png"));
+}
+
+TEST_F(ConvertProgram, BadUseIsOneLineWithAnExitCode)
+{
+  const auto expect = [](const std::vector<std::string>& words, int code, const std::string& part)
+  {
+    const ProcessEnd end = RunProgram(With({ "convert" }, words));
+    EXPECT_EQ(end.Code, code);
+    EXPECT_THAT(end.Err, HasSubstr(part));
+    EXPECT_EQ(std::count(end.Err.begin(), end.Err.end(), '\n'), 1) << end.Err;
+  };
+  const std::string out = In("bad").string();
+  expect({ Data() }, 2, "out is required");
+  expect({ Data(), out }, 2, "--format: no format to write given");
+  expect({ Data(), out, "--format", "agisoft" }, 2, "--format: is no such choice (got 'agisoft'");
+  expect({ Data(), Data(), "--format", "nerf" }, 2, "is the folder to read");
+  expect({ Data(), out, "--format", "nerf", "--from", "colmap" }, 1, "no calibration file");
+  expect({ Data(), out, "--format", "nerf", "--poses", "camera" }, 2, "--poses: is no such choice");
+  EXPECT_FALSE(fs::exists(out));
+}
