@@ -44,6 +44,13 @@ class Classes(unittest.TestCase):
                 self.assertNotIn("no description provided", text)
                 self.assertGreater(len(wrapped.__doc__.split()), 30)
 
+    def test_help_of_the_package_has_its_functions_and_classes(self):
+        text = pydoc.render_doc(novelview, renderer=pydoc.plaintext)
+        for function in ("synthesise(views, camera", "views(items)", "class Synthesiser"):
+            self.assertIn(function, text)
+        for name in FILTERS:
+            self.assertIn(f"class {name}(", text)
+
     def test_help_has_the_methods_words_default_and_range(self):
         text = pydoc.render_doc(
             novelview.vtkOutlineDeformer.SetContourWeight, renderer=pydoc.plaintext

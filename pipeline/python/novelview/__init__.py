@@ -12,7 +12,8 @@ Pictures in NumPy have their first row at the top; in vtkImageData the first row
 always in VTK. Masks: above 127 is object.
 
 The stages are VTK filters, novelview.vtkVisualHullSource and so on, with ports, observers and help()
-as all VTK classes have them. No display is needed, and no OpenGL is loaded; novelview.offscreen draws VTK's scenes without one.
+as all VTK classes have them. No display is needed, and no OpenGL is loaded; novelview.offscreen
+draws VTK's scenes without a display.
 
 What fails in the functions here raises novelview.Error with one line of text; what a user should
 know of the data is a Python warning. Filters used directly tell by ErrorEvent and WarningEvent.
@@ -26,3 +27,27 @@ from ._reporting import Error
 from .cameras import between, camera, camera_of, look_at, matrices
 from .pictures import image, mesh, view, views
 from .synthesis import Synthesiser, options, read, read_camera, synthesise
+
+__all__ = [
+    "Error",
+    "Synthesiser",
+    "between",
+    "camera",
+    "camera_of",
+    "image",
+    "look_at",
+    "matrices",
+    "mesh",
+    "names",
+    "options",
+    "read",
+    "read_camera",
+    "synthesise",
+    "view",
+    "views",
+]
+__all__ += [
+    name
+    for name, value in list(globals().items())
+    if name.startswith("vtk") and isinstance(value, type)
+]
