@@ -88,11 +88,11 @@ Image<std::uint8_t> ThresholdedMask(const Image<std::uint8_t>& color)
 }
 
 /** Photograph and mask of one view, as imperfect as asked. */
-Photograph TakeView(
+RenderedPhotograph TakeView(
   Photographer& photographer, const Camera& camera, const GeneratorOptions& options, int viewId)
 {
   const double shadow = Contains(options.ShadowViews, viewId) ? options.ShadowDarkness : 0;
-  Photograph photograph = photographer.Take(camera, shadow);
+  RenderedPhotograph photograph = photographer.Take(camera, shadow);
   SpoilColors(photograph.Color, options, viewId);
   if (options.Masks == "threshold")
   {
@@ -185,7 +185,7 @@ void WriteHeldOut(Photographer& photographer, const std::vector<Camera>& cameras
   for (const Camera& camera : cameras)
   {
     const std::string name = PictureName("test", named.size());
-    const Photograph photograph = photographer.Take(camera);
+    const RenderedPhotograph photograph = photographer.Take(camera);
     WritePng(folder / name, photograph.Color.Ref());
     WritePng(folder / "mask" / name, photograph.Coverage.Ref());
     named.push_back({ name, camera });
@@ -219,7 +219,8 @@ std::vector<vtkSmartPointer<vtkImageData>> WriteViews(Photographer& photographer
   for (int viewId = 0; viewId < options.Views; ++viewId)
   {
     const std::string name = PictureName(stem, viewId);
-    const Photograph photograph = TakeView(photographer, rig.Views[viewId], options, viewId);
+    const RenderedPhotograph photograph =
+      TakeView(photographer, rig.Views[viewId], options, viewId);
     WritePng(folder / name, photograph.Color.Ref());
     if (options.Masks != "none")
     {

@@ -37,7 +37,7 @@ Camera TileCamera(const Camera& camera, int x0, int y0, int width, int height, i
 
 /** Box-filters the samples of a tile (RGBA) into the photograph, as far as it reaches. */
 void Downsample(
-  const ImageRef<const std::uint8_t>& samples, int scale, int x0, int y0, Photograph& out)
+  const ImageRef<const std::uint8_t>& samples, int scale, int x0, int y0, RenderedPhotograph& out)
 {
   const int width = std::min(samples.Width / scale, out.Color.Width - x0);
   const int height = std::min(samples.Height / scale, out.Color.Height - y0);
@@ -146,7 +146,7 @@ const std::string& Photographer::RendererName() const
 }
 
 //------------------------------------------------------------------------------
-Photograph Photographer::Take(const Camera& camera, double shadow)
+RenderedPhotograph Photographer::Take(const Camera& camera, double shadow)
 {
   ValidateCamera(camera, "photograph");
   const std::array<double, 2> range = this->Own->DepthRange(camera);
@@ -160,7 +160,7 @@ Photograph Photographer::Take(const Camera& camera, double shadow)
   // The actor's geometry has the box's centre as its origin, so the camera moves along.
   Camera centred = camera;
   centred.T = camera.ToCamera(this->Own->Centre);
-  Photograph photograph;
+  RenderedPhotograph photograph;
   photograph.Color = Image<std::uint8_t>(camera.Width, camera.Height, 3);
   photograph.Coverage = Image<std::uint8_t>(camera.Width, camera.Height, 1);
   for (int y0 = 0; y0 < camera.Height; y0 += tileHeight)

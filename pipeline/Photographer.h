@@ -14,7 +14,7 @@
 namespace novelview
 {
 /** A rendered photograph of an object before a black background. */
-struct Photograph
+struct RenderedPhotograph
 {
   Image<std::uint8_t> Color;    ///< RGB; at the rim blended with the background by coverage
   Image<std::uint8_t> Coverage; ///< how much of the pixel the object covers: 0 none, 255 all
@@ -36,7 +36,7 @@ public:
    * Throws Error when the camera is no camera or does not have the whole object in front of it.
    * `shadow` as in SetShadow().
    */
-  Photograph Take(const Camera& camera, double shadow = 0);
+  RenderedPhotograph Take(const Camera& camera, double shadow = 0);
 
   /** For the log. */
   const std::string& RendererName() const;

@@ -99,6 +99,30 @@ void vtkPinholeCamera::CopyFromVTKCamera(vtkCamera* camera, int width, int heigh
 }
 
 //------------------------------------------------------------------------------
+void vtkPinholeCamera::LookAt(const double centre[3], const double target[3], const double up[3])
+{
+  using Vector = Eigen::Map<const Eigen::Vector3d>;
+  const novelview::Camera camera = novelview::ToCamera(this);
+  novelview::FromCamera(novelview::LookAt(Vector(centre), Vector(target), Vector(up), camera.K,
+                          camera.Width, camera.Height),
+    this);
+}
+
+//------------------------------------------------------------------------------
+void vtkPinholeCamera::InterpolateOnOrbit(
+  vtkPinholeCamera* from, vtkPinholeCamera* to, double fraction)
+{
+  if (!from || !to)
+  {
+    vtkErrorMacro(<< "orbit: one of the two cameras is missing");
+    return;
+  }
+  novelview::FromCamera(
+    novelview::InterpolateOnOrbit(novelview::ToCamera(from), novelview::ToCamera(to), fraction),
+    this);
+}
+
+//------------------------------------------------------------------------------
 void vtkPinholeCamera::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

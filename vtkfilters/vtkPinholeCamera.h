@@ -68,6 +68,19 @@ public:
    */
   void CopyFromVTKCamera(vtkCamera* camera, int width, int height);
 
+  /**
+   * Places the camera at `centre` to look at `target`, with `up` pointing up in the picture. Camera
+   * matrix and image size stay. The points must differ, and not lie in a line along `up`.
+   */
+  void LookAt(const double centre[3], const double target[3], const double up[3]);
+
+  /**
+   * Becomes the camera a fraction of the way from one camera to another on their common orbit (the
+   * screw motion between them), 0 to 1; values outside continue it. The camera matrix is
+   * interpolated, the image size is that of `from`.
+   */
+  void InterpolateOnOrbit(vtkPinholeCamera* from, vtkPinholeCamera* to, double fraction);
+
 protected:
   vtkPinholeCamera();
   ~vtkPinholeCamera() override = default;

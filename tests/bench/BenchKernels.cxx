@@ -3,6 +3,7 @@
 #include "BenchScene.h"
 #include "Benchmarks.h"
 #include "ContourDistance.h"
+#include "Dataset.h"
 #include "Execution.h"
 #include "Middlebury.h"
 #include "Parallel.h"

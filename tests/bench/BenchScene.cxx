@@ -49,7 +49,7 @@ vtkSmartPointer<vtkMultiBlockDataSet> TakePhotographs(const PhotoSet& set)
   auto views = vtkSmartPointer<vtkMultiBlockDataSet>::New();
   for (const Camera& camera : rig.Views)
   {
-    const Photograph photograph = photographer.Take(camera);
+    const RenderedPhotograph photograph = photographer.Take(camera);
     const auto image = NewImage(camera.Width, camera.Height);
     SetPixels(image, arrays::Color, photograph.Color.Ref());
     SetPixels(image, arrays::Mask, photograph.Coverage.Ref());

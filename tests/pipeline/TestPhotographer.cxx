@@ -77,7 +77,7 @@ TEST(Photographer, SpheresAppearWhereTheCameraProjectsThem)
   }
   all->Update();
   Photographer photographer(all->GetOutput(), Grey, 4);
-  const Photograph photograph = photographer.Take(camera);
+  const RenderedPhotograph photograph = photographer.Take(camera);
   for (const Vector2d& pixel : expected)
   {
     const Vector2d seen = Centroid(photograph.Coverage, pixel, 8);
@@ -103,7 +103,7 @@ TEST(Photographer, EdgeCoversPixelsByItsShare)
   triangles->SetInputConnection(plane->GetOutputPort());
   triangles->Update();
   Photographer photographer(triangles->GetOutput(), Grey, 8);
-  const Photograph photograph = photographer.Take(camera);
+  const RenderedPhotograph photograph = photographer.Take(camera);
   for (const int y : { 0, 20, 47 })
   {
     EXPECT_EQ(photograph.Coverage(39, y), 255);
@@ -131,8 +131,8 @@ TEST(Photographer, TwoViewsAgreeOnTheColourOfAPoint)
   for (const SurfaceLook& look : looks)
   {
     Photographer photographer(sphere->GetOutput(), look, 4);
-    const Photograph a = photographer.Take(first);
-    const Photograph b = photographer.Take(second);
+    const RenderedPhotograph a = photographer.Take(first);
+    const RenderedPhotograph b = photographer.Take(second);
     double apart = 0;
     double shifted = 0;
     int count = 0;
@@ -167,7 +167,7 @@ TEST(Photographer, MaskIsTheProjectionOfTheMesh)
   k << 500, 0, 149.5, 0, 500, 119.5, 0, 0, 1;
   const Camera camera = LookAt({ 2, 1.5, 5 }, { 0, 0, 0 }, { 0, 1, 0 }, k, 300, 240);
   Photographer photographer(mesh, Grey, 4);
-  const Photograph photograph = photographer.Take(camera);
+  const RenderedPhotograph photograph = photographer.Take(camera);
 
   Eigen::AlignedBox2d projected;
   for (vtkIdType ptId = 0; ptId < mesh->GetNumberOfPoints(); ++ptId)
@@ -221,7 +221,7 @@ TEST(Photographer, WorksFarFromTheOriginAndInOtherUnits)
   k << 300, 0, 49.5, 0, 300, 49.5, 0, 0, 1;
   const Camera camera = LookAt(centre + Vector3d(0, 0, 600), centre, { 0, 1, 0 }, k, 100, 100);
   Photographer photographer(mesh, Grey, 4);
-  const Photograph photograph = photographer.Take(camera);
+  const RenderedPhotograph photograph = photographer.Take(camera);
   EXPECT_LT(
     (Centroid(photograph.Coverage, { 49.5, 49.5 }, 45) - Vector2d(49.5, 49.5)).norm(), 0.05);
 }

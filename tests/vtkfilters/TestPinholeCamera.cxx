@@ -102,6 +102,32 @@ TEST(PinholeCamera, DeepCopyTakesEverything)
   EXPECT_LT((Vector3d(centre) - OddCamera().Centre()).norm(), 1e-12);
 }
 
+TEST(PinholeCamera, LooksAtItsTargetAndKeepsMatrixAndSize)
+{
+  const auto camera = NewPinholeCamera(OddCamera());
+  const double centre[3] = { 3, 4, 5 };
+  const double target[3] = { 1, 1, 1 };
+  const double up[3] = { 0, 1, 0 };
+  camera->LookAt(centre, target, up);
+  const Camera placed = ToCamera(camera);
+  EXPECT_LT((placed.Centre() - Vector3d(centre)).norm(), 1e-12);
+  // The optical axis meets the picture in the principal point, and up is towards its first row.
+  const Vector2d principal = OddCamera().K.col(2).head<2>();
+  EXPECT_LT((placed.Project(Vector3d(target)) - principal).norm(), 1e-9);
+  EXPECT_LT(placed.Project(Vector3d(1, 1.1, 1)).y(), principal.y());
+  EXPECT_EQ(placed.K, OddCamera().K);
+  EXPECT_EQ(placed.Width, OddCamera().Width);
+}
+
+TEST(PinholeCamera, BetweenTwoCamerasOfARingIsTheOneOnTheRing)
+{
+  vtkNew<vtkPinholeCamera> between;
+  between->InterpolateOnOrbit(
+    NewPinholeCamera(OnRing(0, 20)), NewPinholeCamera(OnRing(40, 20)), 0.25);
+  EXPECT_LT((ToCamera(between).R - OnRing(10, 20).R).norm(), 1e-9);
+  EXPECT_LT((ToCamera(between).T - OnRing(10, 20).T).norm(), 1e-9);
+}
+
 TEST(PinholeCamera, PrintsEveryMember)
 {
   ExpectPrints(
