@@ -4,6 +4,8 @@
 
 #include "ImageFile.h"
 
+#include <cmath>
+
 using namespace novelview;
 using namespace novelview::testing_support;
 namespace fs = std::filesystem;
@@ -44,17 +46,15 @@ void ExpectSameView(const fs::path& a, const fs::path& b)
   const Image<std::uint8_t> pictureA = ReadColorFile(a / "novel.png");
   const Image<std::uint8_t> pictureB = ReadColorFile(b / "novel.png");
   ASSERT_EQ(pictureA.Values.size(), pictureB.Values.size());
-  std::size_t differing = 0;
-  int most = 0;
+  double squares = 0;
   for (std::size_t i = 0; i < pictureA.Values.size(); ++i)
   {
-    const int difference = std::abs(pictureA.Values[i] - pictureB.Values[i]);
-    differing += difference > 0;
-    most = std::max(most, difference);
+    const double difference = pictureA.Values[i] - pictureB.Values[i];
+    squares += difference * difference;
   }
-  // Poses come back with other last bits, so a value may round to its neighbour here and there.
-  EXPECT_LE(differing, pictureA.Values.size() / 1000);
-  EXPECT_LE(most, 1);
+  // Poses come back with other last bits, and which samples the crust joins may hang on them: 2.2.
+  // Pixel centres that are half a pixel off, the least of all wrong conventions, make 6.4.
+  EXPECT_LE(std::sqrt(squares / static_cast<double>(pictureA.Values.size())), 4);
 }
 }
 

@@ -247,7 +247,7 @@ TEST(ViewSpec, LikeHoldsThePhotographOut)
   EXPECT_EQ(view.Cam.R, dataset.Cameras[1].Cam.R);
   EXPECT_EQ(SizeText(view.Cam.Width, view.Cam.Height), "40x30");
   WriteImageFile(folder / "mask/c1.png", Image<std::uint8_t>(40, 30).Ref());
-  view = ResolveViewSpec(ParseViewSpec("like:c1.png"), dataset);
+  view = ResolveViewSpec(ParseViewSpec("like:c1.png"), ReadDatasetIndex(folder.Path));
   EXPECT_EQ(view.Truth.Mask, folder / "mask/c1.png");
 }
 

@@ -240,13 +240,15 @@ TEST_F(Middlebury, CalibrationToChooseIsNamed)
   const auto index = [this] { ReadDatasetIndex(this->Folder.Path); };
   ExpectError([&] { ReadDatasetIndex(this->Folder / "nowhere"); }, "nowhere", "no such folder");
   std::filesystem::copy_file(this->ParFile(), this->Folder / "other_par.txt");
-  ExpectError(index, "several calibration files", "ball_par.txt, other_par.txt");
-  EXPECT_EQ(ReadDatasetIndex(this->Folder.Path, { this->Folder / "other_par.txt" }).Cameras.size(), 3u);
+  ExpectError(
+    index, "several calibration files", "ball_par.txt (middlebury), other_par.txt (middlebury)");
+  EXPECT_EQ(
+    ReadDatasetIndex(this->Folder.Path, { this->Folder / "other_par.txt" }).Cameras.size(), 3u);
   std::filesystem::remove(this->ParFile());
   std::filesystem::remove(this->Folder / "other_par.txt");
   ExpectError(index, this->Folder.Path.string(), "no calibration file", "*_par.txt");
-  ExpectError([&] { ReadDatasetIndex(this->Folder.Path, { this->Folder / "none.txt" }); }, "none.txt",
-    "cannot be read");
+  ExpectError([&] { ReadDatasetIndex(this->Folder.Path, { this->Folder / "none.txt" }); },
+    "none.txt", "cannot be read");
 }
 
 TEST_F(Middlebury, BadCalibrationIsNamedByFileAndLine)

@@ -65,10 +65,22 @@ TEST(OpenCvCalibration, TheSamplesFormIsReadWithPhotographsInNaturalOrder)
 TEST(OpenCvCalibration, PhotographsMayBeListed)
 {
   const TemporaryFolder folder;
-  WriteFile(folder / "c.yml", Sample + "images: [ \"b.png\", \"a.png\" ]\nfisheye_model: 1\n");
+  WriteFile(folder / "c.yml", Sample + "images: [ \"b.png\", \"a.png\" ]\n");
   const DatasetIndex index = ReadDatasetIndex(folder.Path, { .Convention = {} });
   EXPECT_EQ(index.Cameras[0].Name, "b.png");
   EXPECT_EQ(index.Cameras[1].File, folder / "a.png");
+}
+
+TEST(OpenCvCalibration, ASampleMayBeOfAFisheyeLens)
+{
+  const TemporaryFolder folder;
+  std::string sample = Sample + "images: [ \"b.png\", \"a.png\" ]\nfisheye_model: 1\n";
+  sample.replace(sample.find("rows: 5"), 7, "rows: 4");
+  sample.replace(sample.find(", 0.5 ]"), 7, " ]");
+  WriteFile(folder / "c.yml", sample);
+  const Lens lens = ReadDatasetIndex(folder.Path).Cameras[1].Distortion;
+  EXPECT_EQ(lens.Kind, Lens::Model::Fisheye);
+  EXPECT_EQ(lens.Coefficients, (std::vector<double>{ -0.25, 0.125, 0.001, 0.002 }));
 }
 
 TEST(OpenCvCalibration, AViewsNumbersGoOverTheFiles)
