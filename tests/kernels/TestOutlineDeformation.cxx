@@ -174,8 +174,8 @@ TEST(OutlineEnergies, PhotoIsTheMeanWindowDifferenceOfKeyAndSecondaries)
   const Vector3d point(0.1, 0.1, 0.45);
   const auto difference = [&](int other)
   {
-    return WindowDifference(sphere.Views[0], sphere.Views[0].Cam.Project(point),
-      sphere.Views[other], sphere.Views[other].Cam.Project(point), 3);
+    return WindowMatcher(sphere.Views[0], sphere.Views[0].Cam.Project(point), 3)
+      .Difference(sphere.Views[other], sphere.Views[other].Cam.Project(point));
   };
   EXPECT_DOUBLE_EQ(
     OutlinePhotoEnergy(point, sphere.Views, 0, { 1, 11 }, 3), (difference(1) + difference(11)) / 2);

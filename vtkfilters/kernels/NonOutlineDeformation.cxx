@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace novelview
 {
@@ -77,11 +78,7 @@ private:
   void Measure()
   {
     this->Normals = VertexNormals(this->Mesh);
-    this->DepthOfView.clear();
-    for (const View& view : this->Views)
-    {
-      this->DepthOfView.push_back(Rasterise(this->Mesh, view.Cam, this->Run).Depth);
-    }
+    this->FindKeys();
     this->Run.ForEach(static_cast<std::int64_t>(this->Mesh.Points.size()),
       [&](std::int64_t ptId)
       {
@@ -93,30 +90,95 @@ private:
       });
   }
 
-  /** The reference that the normal points to most directly among those that see the point. */
-  int KeyOf(int ptId) const
+  /**
+   * The key of every point: the reference that the normal points to most directly among those that
+   * see the point. What a reference sees is made only when a point asks for it.
+   */
+  void FindKeys()
   {
+    this->Keys.assign(this->Mesh.Points.size(), -1);
+    std::vector<Image<float>> depths(this->Views.size());
+    std::vector<int> pending;
+    for (std::size_t ptId = 0; ptId < this->Mesh.Points.size(); ++ptId)
+    {
+      if (this->Active[ptId])
+      {
+        pending.push_back(static_cast<int>(ptId));
+      }
+    }
+    std::vector<std::uint8_t> seen(this->Mesh.Points.size(), 0);
+    while (!pending.empty())
+    {
+      this->Run.ForEach(static_cast<std::int64_t>(pending.size()),
+        [&](std::int64_t i)
+        { this->Keys[pending[i]] = this->NextFacing(pending[i], this->Keys[pending[i]]); });
+      this->RasteriseFor(pending, depths);
+      this->Run.ForEach(static_cast<std::int64_t>(pending.size()),
+        [&](std::int64_t i)
+        {
+          const int key = this->Keys[pending[i]];
+          seen[pending[i]] = key < 0 || this->Sees(key, depths[key].Ref(), pending[i]);
+        });
+      std::erase_if(pending, [&seen](int ptId) { return seen[ptId] != 0; });
+    }
+  }
+
+  /** What the keys of the pending points see of the mesh, unless it is there. */
+  void RasteriseFor(const std::vector<int>& pending, std::vector<Image<float>>& depths) const
+  {
+    std::vector<int> wanted;
+    for (const int ptId : pending)
+    {
+      const int key = this->Keys[ptId];
+      if (key >= 0 && depths[key].Values.empty())
+      {
+        depths[key].Values.resize(1); // noted
+        wanted.push_back(key);
+      }
+    }
+    this->Run.ForEach(static_cast<std::int64_t>(wanted.size()),
+      [&](std::int64_t i)
+      { depths[wanted[i]] = Rasterise(this->Mesh, this->Views[wanted[i]].Cam).Depth; });
+  }
+
+  double FacingOf(int ptId, std::size_t viewId) const
+  {
+    const Vector3d towards = this->Views[viewId].Cam.Centre() - this->Mesh.Points[ptId];
+    return this->Normals[ptId].dot(towards.normalized());
+  }
+
+  /**
+   * The view in whose frame the point is and that the normal points to most directly, after
+   * `before` (-1 = none was before); -1 when there is none.
+   */
+  int NextFacing(int ptId, int before) const
+  {
+    const double limit =
+      before < 0 ? std::numeric_limits<double>::infinity() : this->FacingOf(ptId, before);
     int best = -1;
     double bestCosine = 0;
-    const Vector3d& point = this->Mesh.Points[ptId];
-    for (std::size_t viewId = 0; viewId < this->Views.size(); ++viewId)
+    for (int viewId = 0; viewId < static_cast<int>(this->Views.size()); ++viewId)
     {
       const Camera& camera = this->Views[viewId].Cam;
-      const double z = camera.Depth(point);
-      const double cosine = this->Normals[ptId].dot((camera.Centre() - point).normalized());
-      if (z <= 0 || cosine <= bestCosine)
+      const Vector3d& point = this->Mesh.Points[ptId];
+      const double cosine = this->FacingOf(ptId, viewId);
+      const bool comes = cosine < limit || (cosine == limit && viewId > before);
+      if (comes && cosine > bestCosine && camera.Depth(point) > 0 &&
+        camera.InFrame(camera.Project(point)))
       {
-        continue;
-      }
-      const Vector2d pixel = camera.Project(point);
-      if (camera.InFrame(pixel) &&
-        DepthBehind(this->DepthOfView[viewId].Ref(), pixel, z) < 1.5 * camera.PixelFootprint(z))
-      {
-        best = static_cast<int>(viewId);
+        best = viewId;
         bestCosine = cosine;
       }
     }
     return best;
+  }
+
+  bool Sees(int viewId, const ImageRef<const float>& depth, int ptId) const
+  {
+    const Camera& camera = this->Views[viewId].Cam;
+    const Vector3d& point = this->Mesh.Points[ptId];
+    const double z = camera.Depth(point);
+    return DepthBehind(depth, camera.Project(point), z) < 1.5 * camera.PixelFootprint(z);
   }
 
   void MeasurePoint(int ptId)
@@ -124,7 +186,7 @@ private:
     const Vector3d here = this->Mesh.Points[ptId];
     const double footprint = this->Novel.PixelFootprint(this->Novel.Depth(here));
     const Vector3d ray = (here - this->Centre).normalized();
-    const int key = this->KeyOf(ptId);
+    const int key = this->Keys[ptId];
     // A point that stayed where it was, with the same key, has the same partners.
     std::vector<SubPoint>& subPoints = this->Partners[ptId].SubPoints;
     if (key != this->Partners[ptId].Key || here != this->Partners[ptId].Position)
@@ -143,26 +205,31 @@ private:
     {
       neighbours.push_back(this->Mesh.Points[other]);
     }
-    const auto energyAt = [&](const Vector3d& point)
+    SilhouetteField hull;
+    this->Hull.RestrictTo(here, (this->Options.SearchPx + this->Options.StepPx) * footprint, hull);
+    const double beta = SubPointReliability(subPoints, this->Options.Secondaries);
+    // Only what is less than `least` need be exact.
+    const auto energyAt = [&](const Vector3d& point, double least)
     {
       PointEnergy energy;
-      const int secondaries = this->Options.Secondaries;
-      const double beta = SubPointReliability(subPoints, secondaries);
-      energy.Photo = SubPointEnergy(point, subPoints, secondaries, footprint);
-      energy.Contour = std::abs(this->Hull.Value(point)) / footprint;
+      energy.Photo = SubPointEnergy(point, subPoints, this->Options.Secondaries, footprint);
       energy.Smooth = RaySmoothnessEnergy(point, ray, neighbours, footprint);
-      energy.Total =
-        energy.Photo + (1 - beta) * energy.Contour + this->Options.Alpha * energy.Smooth;
+      energy.Total = energy.Photo + this->Options.Alpha * energy.Smooth;
+      if (energy.Total < least)
+      {
+        energy.Contour = std::abs(hull.Value(point)) / footprint;
+        energy.Total =
+          energy.Photo + (1 - beta) * energy.Contour + this->Options.Alpha * energy.Smooth;
+      }
       return energy;
     };
-    const PointEnergy now = energyAt(here);
-    this->Energies[ptId] = now;
-    double least = now.Total;
+    this->Energies[ptId] = energyAt(here, std::numeric_limits<double>::infinity());
+    double least = this->Energies[ptId].Total;
     const int steps = static_cast<int>(this->Options.SearchPx / this->Options.StepPx + 0.5);
     for (int step = -steps; step <= steps; ++step)
     {
       const double offset = step * this->Options.StepPx;
-      const double total = step ? energyAt(here + offset * footprint * ray).Total : least;
+      const double total = step ? energyAt(here + offset * footprint * ray, least).Total : least;
       if (total < least)
       {
         least = total;
@@ -209,7 +276,7 @@ private:
   };
   std::vector<PointPartners> Partners;
   std::vector<Vector3d> Normals;
-  std::vector<Image<float>> DepthOfView;
+  std::vector<int> Keys; ///< per point, -1 = no photograph sees it
 };
 
 /** Unit direction of the epipolar line at the projection of a point, in the other picture. */

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace novelview
 {
@@ -130,17 +131,21 @@ private:
     return points;
   }
 
+  /** Only what is less than `least` need be exact. */
   PointEnergy EnergyAt(const OutlinePoint& point, const Vector3d& position,
-    const std::vector<Vector3d>& outlineNeighbours) const
+    const std::vector<Vector3d>& outlineNeighbours, double least) const
   {
     PointEnergy energy;
-    energy.Photo = OutlinePhotoEnergy(
-      position, this->Views, this->Key, this->Secondaries, this->Options.WindowRadius);
     energy.Contour =
       OutlineContourEnergy(position, this->Views, this->NearViews, this->Options.SigmaPx);
     energy.Smooth = OutlineSmoothnessEnergy(position, point.Step.normalized(), outlineNeighbours);
-    energy.Total =
-      energy.Photo + this->Options.Alpha * energy.Contour + this->Options.Beta * energy.Smooth;
+    energy.Total = this->Options.Alpha * energy.Contour + this->Options.Beta * energy.Smooth;
+    if (energy.Total < least)
+    {
+      energy.Photo = OutlinePhotoEnergy(
+        position, this->Views, this->Key, this->Secondaries, this->Options.WindowRadius);
+      energy.Total += energy.Photo;
+    }
     return energy;
   }
 
@@ -160,15 +165,21 @@ private:
             neighbours.push_back(this->Mesh.Points[other]);
           }
         }
-        point.Now = this->EnergyAt(point, here, neighbours);
+        point.Now =
+          this->EnergyAt(point, here, neighbours, std::numeric_limits<double>::infinity());
         this->Energies[point.Id] = point.Now;
         const int steps =
           onlyHere ? 0 : static_cast<int>(this->Options.SearchPx / this->Options.StepPx + 0.5);
         for (int step = -steps; step <= steps; ++step)
         {
           const double offset = step * this->Options.StepPx;
-          const PointEnergy energy = this->EnergyAt(point, here + offset * point.Step, neighbours);
-          if (step != 0 && energy.Total < point.Now.Total)
+          if (step == 0)
+          {
+            continue;
+          }
+          const PointEnergy energy =
+            this->EnergyAt(point, here + offset * point.Step, neighbours, point.Now.Total);
+          if (energy.Total < point.Now.Total)
           {
             point.Better.emplace_back(offset, energy);
           }
@@ -282,13 +293,12 @@ double OutlinePhotoEnergy(const Vector3d& point, const std::vector<View>& views,
   {
     return 1;
   }
+  const WindowMatcher window(views[key], keyPixel, windowRadius);
   double sum = 0;
   for (const int viewId : secondaries)
   {
     Vector2d pixel;
-    sum += InFrameOf(views[viewId], point, pixel)
-      ? WindowDifference(views[key], keyPixel, views[viewId], pixel, windowRadius)
-      : 1;
+    sum += InFrameOf(views[viewId], point, pixel) ? window.Difference(views[viewId], pixel) : 1;
   }
   return sum / static_cast<double>(secondaries.size());
 }

@@ -40,7 +40,7 @@ std::optional<Eigen::Vector2d> OutlineDirection(
 /** Does the projection lie on the contour of the silhouette: model and background within a pixel? */
 bool OnContour(const ItemBuffer& silhouette, const Eigen::Vector2d& projection);
 
-/** E_s [2]: mean WindowDifference of the key with each secondary; the worst, 1, without any. */
+/** E_s [2]: mean WindowMatcher::Difference of the key with each secondary; the worst, 1, without any. */
 double OutlinePhotoEnergy(const Eigen::Vector3d& point, const std::vector<View>& views, int key,
   const std::vector<int>& secondaries, int windowRadius);
 

@@ -1,32 +1,137 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "PhotoConsistency.h"
 
+#include "CpuClones.h"
+
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstring>
 
 namespace novelview
 {
-namespace
-{
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-
-/** The three channels of a window's pixels, row by row, and which of them are object. */
-struct Window
+namespace
 {
-  static constexpr int MaxRadius = 7;
-  static constexpr int MaxPixels = (2 * MaxRadius + 1) * (2 * MaxRadius + 1);
+/** Windows are worked on in columns, so many at a time. */
+constexpr int Block = 8;
+using Floats [[gnu::vector_size(4 * Block)]] = float;
+using FourFloats [[gnu::vector_size(16)]] = float;
+using FourInts [[gnu::vector_size(16)]] = std::int32_t;
 
-  float Values[3 * MaxPixels];
-  bool Valid[MaxPixels];
-};
+/** Four bytes as numbers, by putting zeros between them: compilers convert them one by one. */
+[[gnu::always_inline]] inline FourInts LoadBytes(const std::uint8_t* from)
+{
+  static_assert(std::endian::native == std::endian::little);
+  using Bytes [[gnu::vector_size(16)]] = std::uint8_t;
+  using Words [[gnu::vector_size(16)]] = std::uint16_t;
+  FourInts packed{};
+  std::memcpy(&packed, from, 4);
+  const auto words = (Words)__builtin_shuffle(
+    (Bytes)packed, Bytes{}, Bytes{ 0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23 });
+  return (FourInts)__builtin_shuffle(words, Words{}, Words{ 0, 8, 1, 9, 2, 10, 3, 11 });
+}
+
+/** How many values a row of a window takes: 3 (2 radius + 1) and what fills the last block. */
+int ColumnsOf(int radius)
+{
+  return (3 * (2 * radius + 1) + Block - 1) / Block * Block;
+}
 
 /**
- * Reads a window around a position between pixels. A window's pixels are whole steps apart, so the
- * four weights of the bilinear interpolation are the same for all of them. Pixels outside the frame
- * are not valid.
+ * Bilinear interpolation of all values of a window. Its pixels are whole steps apart, so the four
+ * weights are the same for all of them. `topLeft` is the pixel left of and above the first; from
+ * there columns + 3 bytes are read of each row and the one below the last.
  */
-void ReadWindow(const View& view, const Vector2d& centre, int radius, Window& window)
+void Interpolate(const std::uint8_t* topLeft, std::ptrdiff_t stride, float fx, float fy, int rows,
+  int columns, float* values)
+{
+  const auto across = [fx](const std::uint8_t* from)
+  {
+    const FourInts left = LoadBytes(from);
+    const FourInts right = LoadBytes(from + 3);
+    return __builtin_convertvector(left, FourFloats) +
+      fx * __builtin_convertvector(right - left, FourFloats);
+  };
+  for (int first = 0; first < columns; first += 4)
+  {
+    const std::uint8_t* from = topLeft + first;
+    FourFloats above = across(from);
+    for (int row = 0; row < rows; ++row)
+    {
+      from += stride;
+      const FourFloats below = across(from);
+      const FourFloats value = above + fy * (below - above);
+      std::memcpy(values + row * columns + first, &value, sizeof(value));
+      above = below;
+    }
+  }
+}
+
+/** The same for a window that reaches over the frame's border, where the border's pixels go on. */
+void InterpolateAtBorder(const ImageRef<const std::uint8_t>& image, int firstX, int firstY,
+  float fx, float fy, int radius, int columns, float* values)
+{
+  const int side = 2 * radius + 1;
+  for (int row = 0; row < side; ++row)
+  {
+    const int y0 = std::clamp(firstY + row, 0, image.Height - 1);
+    const int y1 = std::clamp(firstY + row + 1, 0, image.Height - 1);
+    float* out = values + row * columns;
+    for (int i = 0; i < 3 * side; ++i)
+    {
+      const int x0 = std::clamp(firstX + i / 3, 0, image.Width - 1);
+      const int x1 = std::clamp(firstX + i / 3 + 1, 0, image.Width - 1);
+      const float a = image(x0, y0, i % 3) + fx * (image(x1, y0, i % 3) - image(x0, y0, i % 3));
+      const float b = image(x0, y1, i % 3) + fx * (image(x1, y1, i % 3) - image(x0, y1, i % 3));
+      out[i] = a + fy * (b - a);
+    }
+    std::fill(out + 3 * side, out + columns, 0.f);
+  }
+}
+
+/** Whether a square of pixels is all object and inside the frame. */
+bool AllObject(const View& view, int firstX, int firstY, int side)
+{
+  if (!view.Mask.Contains(firstX, firstY) ||
+    !view.Mask.Contains(firstX + side - 1, firstY + side - 1))
+  {
+    return false;
+  }
+  unsigned all = 0xff;
+  for (int y = firstY; y < firstY + side; ++y)
+  {
+    const std::uint8_t* row = view.Mask.Pixel(firstX, y);
+    for (int i = 0; i < side; ++i)
+    {
+      all &= row[i]; // above 127 is the highest bit
+    }
+  }
+  return all > 127;
+}
+
+/** Which values are object, by the pixel that each is nearest to; outside the frame none is. */
+void ReadObject(const View& view, int firstX, int firstY, int radius, PhotoWindow& window)
+{
+  const int side = 2 * radius + 1;
+  const int columns = ColumnsOf(radius);
+  window.AllObject = AllObject(view, firstX, firstY, side);
+  for (int row = 0; row < side && !window.AllObject; ++row)
+  {
+    float* object = window.Object + row * columns;
+    for (int i = 0; i < side; ++i)
+    {
+      const bool is =
+        view.Mask.Contains(firstX + i, firstY + row) && view.IsObject(firstX + i, firstY + row);
+      object[3 * i] = object[3 * i + 1] = object[3 * i + 2] = is ? 1.f : 0.f;
+    }
+    std::fill(object + 3 * side, object + columns, 0.f);
+  }
+}
+
+/** Reads the window around a position between pixels. */
+void ReadWindow(const View& view, const Vector2d& centre, int radius, PhotoWindow& window)
 {
   const ImageRef<const std::uint8_t>& image = view.Color;
   const int side = 2 * radius + 1;
@@ -34,128 +139,171 @@ void ReadWindow(const View& view, const Vector2d& centre, int radius, Window& wi
   const int firstY = static_cast<int>(std::floor(centre.y())) - radius;
   const auto fx = static_cast<float>(centre.x() - std::floor(centre.x()));
   const auto fy = static_cast<float>(centre.y() - std::floor(centre.y()));
-  const int nearX = fx >= 0.5f ? 1 : 0;
-  const int nearY = fy >= 0.5f ? 1 : 0;
-  int n = 0;
-  for (int y = firstY; y < firstY + side; ++y)
+  ReadObject(view, firstX + (fx >= 0.5f ? 1 : 0), firstY + (fy >= 0.5f ? 1 : 0), radius, window);
+  const int columns = ColumnsOf(radius);
+  if (firstX >= 0 && firstY >= 0 && 3 * (image.Width - firstX) >= columns + 3 &&
+    firstY + side < image.Height)
   {
-    for (int x = firstX; x < firstX + side; ++x, ++n)
+    Interpolate(image.Pixel(firstX, firstY), image.RowStride, fx, fy, side, columns, window.Values);
+    for (float* row = window.Values; row < window.Values + side * columns; row += columns)
     {
-      window.Valid[n] =
-        view.Mask.Contains(x + nearX, y + nearY) && view.IsObject(x + nearX, y + nearY);
-      if (!window.Valid[n])
+      std::fill(row + 3 * side, row + columns, 0.f);
+    }
+  }
+  else
+  {
+    InterpolateAtBorder(image, firstX, firstY, fx, fy, radius, columns, window.Values);
+  }
+}
+
+/** Sums over the values of two windows that are object in both. */
+struct WindowSums
+{
+  float A[PhotoWindow::MaxColumns]; ///< by column
+  float B[PhotoWindow::MaxColumns];
+  float One[PhotoWindow::MaxColumns];
+  float AA[Block]; ///< by column modulo Block
+  float BB[Block];
+  float AB[Block];
+};
+
+template <bool Masked>
+[[gnu::always_inline]] inline void AddUp(
+  const PhotoWindow& a, const PhotoWindow& b, int rows, int columns, WindowSums& sums)
+{
+  // The one that is all object has nothing to add to the other's selection.
+  const float* inA = a.AllObject ? b.Object : a.Object;
+  const float* inB = b.AllObject ? a.Object : b.Object;
+  Floats aa{};
+  Floats bb{};
+  Floats ab{};
+  for (int first = 0; first < columns; first += Block)
+  {
+    Floats sumA{};
+    Floats sumB{};
+    Floats sumOne{};
+    for (int at = first; at < rows * columns; at += columns)
+    {
+      Floats x;
+      Floats y;
+      std::memcpy(&x, a.Values + at, sizeof(x));
+      std::memcpy(&y, b.Values + at, sizeof(y));
+      if (Masked)
       {
-        continue;
+        Floats one;
+        Floats other;
+        std::memcpy(&one, inA + at, sizeof(one));
+        std::memcpy(&other, inB + at, sizeof(other));
+        one *= other;
+        x *= one;
+        y *= one;
+        sumOne += one;
       }
-      // At the frame's border the missing neighbour is the border pixel itself.
-      const int x0 = std::max(x, 0);
-      const int y0 = std::max(y, 0);
-      const int right = x >= 0 && x + 1 < image.Width ? 3 : 0;
-      const std::uint8_t* top = image.Pixel(x0, y0);
-      const std::uint8_t* bottom = y >= 0 && y + 1 < image.Height ? image.Pixel(x0, y0 + 1) : top;
+      sumA += x;
+      sumB += y;
+      aa += x * x;
+      bb += y * y;
+      ab += x * y;
+    }
+    std::memcpy(sums.A + first, &sumA, sizeof(Floats));
+    std::memcpy(sums.B + first, &sumB, sizeof(Floats));
+    std::memcpy(sums.One + first, &sumOne, sizeof(Floats));
+  }
+  std::memcpy(sums.AA, &aa, sizeof(Floats));
+  std::memcpy(sums.BB, &bb, sizeof(Floats));
+  std::memcpy(sums.AB, &ab, sizeof(Floats));
+}
+
+NOVELVIEW_CLONES void AddUpAll(
+  const PhotoWindow& a, const PhotoWindow& b, int rows, int columns, WindowSums& sums)
+{
+  AddUp<false>(a, b, rows, columns, sums);
+}
+
+NOVELVIEW_CLONES void AddUpObject(
+  const PhotoWindow& a, const PhotoWindow& b, int rows, int columns, WindowSums& sums)
+{
+  AddUp<true>(a, b, rows, columns, sums);
+}
+
+/** What there is to know of two windows together. */
+struct WindowPair
+{
+  double A[3] = {}; ///< sums by channel
+  double B[3] = {};
+  double AA = 0; ///< sums of products
+  double BB = 0;
+  double AB = 0;
+  double Pixels = 0; ///< that count
+
+  WindowPair(const PhotoWindow& a, const PhotoWindow& b, int radius)
+  {
+    const int side = 2 * radius + 1;
+    const bool all = a.AllObject && b.AllObject;
+    WindowSums sums;
+    (all ? AddUpAll : AddUpObject)(a, b, side, ColumnsOf(radius), sums);
+    for (int i = 0; i < 3 * side; i += 3)
+    {
       for (int channel = 0; channel < 3; ++channel)
       {
-        const float a = top[channel] + fx * (top[channel + right] - top[channel]);
-        const float b = bottom[channel] + fx * (bottom[channel + right] - bottom[channel]);
-        window.Values[3 * n + channel] = a + fy * (b - a);
+        this->A[channel] += sums.A[i + channel];
+        this->B[channel] += sums.B[i + channel];
       }
+      this->Pixels += all ? side : sums.One[i];
+    }
+    for (int i = 0; i < Block; ++i)
+    {
+      this->AA += sums.AA[i];
+      this->BB += sums.BB[i];
+      this->AB += sums.AB[i];
     }
   }
-}
+};
 
-bool TooFew(int count, int radius)
+bool TooFew(double pixels, int radius)
 {
   const int side = 2 * radius + 1;
-  return 4 * count < side * side;
+  return 4 * pixels < side * side;
 }
 }
 
-double WindowDifference(const View& key, const Vector2d& keyCentre, const View& other,
-  const Vector2d& otherCentre, int radius)
+WindowMatcher::WindowMatcher(const View& key, const Vector2d& keyCentre, int radius)
+  : Radius(std::min(radius, PhotoWindow::MaxRadius))
 {
-  radius = std::min(radius, Window::MaxRadius);
-  Window a;
-  Window b;
-  ReadWindow(key, keyCentre, radius, a);
-  ReadWindow(other, otherCentre, radius, b);
-  double squares = 0;
-  double keyPower = 0;
-  double otherPower = 0;
-  int count = 0;
-  for (int n = 0; n < (2 * radius + 1) * (2 * radius + 1); ++n)
-  {
-    if (!a.Valid[n] || !b.Valid[n])
-    {
-      continue;
-    }
-    ++count;
-    for (int i = 3 * n; i < 3 * n + 3; ++i)
-    {
-      const double difference = a.Values[i] - b.Values[i];
-      squares += difference * difference;
-      keyPower += a.Values[i] * a.Values[i];
-      otherPower += b.Values[i] * b.Values[i];
-    }
-  }
-  if (TooFew(count, radius))
+  ReadWindow(key, keyCentre, this->Radius, this->Key);
+}
+
+double WindowMatcher::Difference(const View& other, const Vector2d& otherCentre) const
+{
+  PhotoWindow window;
+  ReadWindow(other, otherCentre, this->Radius, window);
+  const WindowPair sums(this->Key, window, this->Radius);
+  if (TooFew(sums.Pixels, this->Radius))
   {
     return 1;
   }
-  const double power = std::sqrt(keyPower * otherPower);
+  const double squares = std::max(sums.AA - 2 * sums.AB + sums.BB, 0.0);
+  const double power = std::sqrt(sums.AA * sums.BB);
   return power > 0 ? std::min(squares / power, 1.0) : (squares > 0 ? 1 : 0);
 }
 
-WindowMatcher::WindowMatcher(const View& key, const Vector2d& keyCentre, int radius, double noise)
-  : Radius(std::min(radius, Window::MaxRadius))
-  , Noise(noise)
+double WindowMatcher::Similarity(const View& other, const Vector2d& otherCentre, double noise) const
 {
-  const int pixels = (2 * this->Radius + 1) * (2 * this->Radius + 1);
-  Window window;
-  ReadWindow(key, keyCentre, this->Radius, window);
-  this->Key.assign(window.Values, window.Values + 3 * pixels);
-  this->Valid.assign(window.Valid, window.Valid + pixels);
-}
-
-double WindowMatcher::Similarity(const View& other, const Vector2d& otherCentre) const
-{
-  Window window;
+  PhotoWindow window;
   ReadWindow(other, otherCentre, this->Radius, window);
-  float sumA[3] = { 0, 0, 0 };
-  float sumB[3] = { 0, 0, 0 };
-  double squareA = 0;
-  double squareB = 0;
-  double product = 0;
-  int count = 0;
-  for (std::size_t n = 0; n < this->Valid.size(); ++n)
-  {
-    if (!this->Valid[n] || !window.Valid[n])
-    {
-      continue;
-    }
-    ++count;
-    for (int channel = 0; channel < 3; ++channel)
-    {
-      const float a = this->Key[3 * n + channel];
-      const float b = window.Values[3 * n + channel];
-      sumA[channel] += a;
-      sumB[channel] += b;
-      squareA += a * a;
-      squareB += b * b;
-      product += a * b;
-    }
-  }
-  if (TooFew(count, this->Radius))
+  WindowPair sums(this->Key, window, this->Radius);
+  if (TooFew(sums.Pixels, this->Radius))
   {
     return 0;
   }
   for (int channel = 0; channel < 3; ++channel)
   {
-    squareA -= static_cast<double>(sumA[channel]) * sumA[channel] / count;
-    squareB -= static_cast<double>(sumB[channel]) * sumB[channel] / count;
-    product -= static_cast<double>(sumA[channel]) * sumB[channel] / count;
+    sums.AA -= sums.A[channel] * sums.A[channel] / sums.Pixels;
+    sums.BB -= sums.B[channel] * sums.B[channel] / sums.Pixels;
+    sums.AB -= sums.A[channel] * sums.B[channel] / sums.Pixels;
   }
-  const double floor = 3 * count * this->Noise;
-  return std::max(product, 0.0) / std::sqrt((squareA + floor) * (squareB + floor));
+  const double floor = 3 * sums.Pixels * noise;
+  return std::max(sums.AB, 0.0) / std::sqrt((sums.AA + floor) * (sums.BB + floor));
 }
 
 bool Triangulate(const Camera& key, const Vector2d& keyPixel, const Camera& other,

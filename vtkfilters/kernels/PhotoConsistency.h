@@ -4,42 +4,51 @@
 
 #include "View.h"
 
-#include <vector>
-
 namespace novelview
 {
-/**
- * Normalised sum of squared differences of two windows (Chia et al. 2013, equation 3):
- *
- *     w = sum M (I_key - I_k)^2 / sqrt(sum M I_key^2 . sum M I_k^2),
- *
- * over the (2 radius + 1)^2 pixels around both centres and the three channels. M is 0 where either
- * pixel is background. The least is 0 (equal windows); 1, the worst, is also what a window with
- * less than a quarter of its pixels in common says: such a window says nothing. `radius` up to 7;
- * more is cut to that.
- */
-double WindowDifference(const View& key, const Eigen::Vector2d& keyCentre, const View& other,
-  const Eigen::Vector2d& otherCentre, int radius);
+/** The three channels of a square window of a photograph, and which of its values are object. */
+struct PhotoWindow
+{
+  static constexpr int MaxRadius = 7;
+  static constexpr int MaxColumns = 48; ///< 3 (2 MaxRadius + 1), filled up to whole registers
+  static constexpr int MaxValues = (2 * MaxRadius + 1) * MaxColumns;
+
+  bool AllObject;          ///< then Object is not set
+  float Values[MaxValues]; ///< row by row, the channels of a pixel beside each other
+  float Object[MaxValues]; ///< 1 or 0
+};
 
 /**
- * Similarity of two windows, 0 to 1: the zero-mean normalised cross-correlation over the pixels
- * that are object in both, and 0 where it is negative or the windows have less than a quarter in
- * common. `noise` (variance per value, grey levels squared) is added to both variances so that flat
- * windows say nothing rather than something random.
+ * The window around one pixel of a key photograph, to be compared with windows of others: the
+ * (2 radius + 1)^2 pixels around both centres, three channels. Only pixels that are object in both
+ * count; windows with less than a quarter of their pixels in common say nothing.
  */
 class WindowMatcher
 {
 public:
-  /** Reads the key window once; `radius` up to 7. */
-  WindowMatcher(const View& key, const Eigen::Vector2d& keyCentre, int radius, double noise = 12);
+  /** Reads the key window once; `radius` up to 7, more is cut to that. */
+  WindowMatcher(const View& key, const Eigen::Vector2d& keyCentre, int radius);
 
-  double Similarity(const View& other, const Eigen::Vector2d& otherCentre) const;
+  /**
+   * Normalised sum of squared differences (Chia et al. 2013, equation 3), M = 1 where both are
+   * object:
+   *
+   *     w = sum M (I_key - I_k)^2 / sqrt(sum M I_key^2 . sum M I_k^2),
+   *
+   * from 0 (equal windows) to 1, which is also what windows get that say nothing.
+   */
+  double Difference(const View& other, const Eigen::Vector2d& otherCentre) const;
+
+  /**
+   * Similarity, 0 to 1: the zero-mean normalised cross-correlation, and 0 where it is negative or
+   * the windows say nothing. `noise` (variance per value, grey levels squared) is added to both
+   * variances so that flat windows say nothing rather than something random.
+   */
+  double Similarity(const View& other, const Eigen::Vector2d& otherCentre, double noise = 12) const;
 
 private:
   int Radius;
-  double Noise;
-  std::vector<float> Key; ///< 3 values per pixel, row by row
-  std::vector<char> Valid;
+  PhotoWindow Key;
 };
 
 /**

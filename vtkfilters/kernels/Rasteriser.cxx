@@ -28,7 +28,15 @@ struct PixelBox
 /** The first integer not below `value`, cut to [0, size]. */
 int FirstPixel(double value, int size)
 {
-  return static_cast<int>(std::clamp(std::ceil(value), 0.0, static_cast<double>(size)));
+  const double cut = std::clamp(value, 0.0, static_cast<double>(size));
+  const int whole = static_cast<int>(cut);
+  return whole + (whole < cut ? 1 : 0);
+}
+
+/** The first integer above `value`, cut to [0, size]. */
+int EndPixel(double value, int size)
+{
+  return value < 0 ? 0 : static_cast<int>(std::min(value + 1, static_cast<double>(size)));
 }
 
 /** A triangle in the picture. */
@@ -51,8 +59,8 @@ struct ProjectedTriangle
   {
     const auto [xMin, xMax] = std::minmax({ this->P[0].X, this->P[1].X, this->P[2].X });
     const auto [yMin, yMax] = std::minmax({ this->P[0].Y, this->P[1].Y, this->P[2].Y });
-    return { FirstPixel(xMin - margin, width), FirstPixel(std::floor(xMax + margin) + 1, width),
-      FirstPixel(yMin - margin, height), FirstPixel(std::floor(yMax + margin) + 1, height) };
+    return { FirstPixel(xMin - margin, width), EndPixel(xMax + margin, width),
+      FirstPixel(yMin - margin, height), EndPixel(yMax + margin, height) };
   }
 
   /** Depth at a place of the picture; NoDepth outside the triangle. */
@@ -104,10 +112,13 @@ public:
     for (std::size_t cellId = 0; cellId < mesh.Triangles.size(); ++cellId)
     {
       const ProjectedTriangle triangle = this->Projected(cellId);
-      const PixelBox box = triangle.Box(margin, this->Width, this->Height);
       const bool inFront = triangle.P[0].InverseDepth > 0 && triangle.P[1].InverseDepth > 0 &&
         triangle.P[2].InverseDepth > 0;
-      if (inFront && triangle.Drawn() && !box.Empty())
+      if (!inFront || !triangle.Drawn())
+      {
+        continue;
+      }
+      if (const PixelBox box = triangle.Box(margin, this->Width, this->Height); !box.Empty())
       {
         for (int band = box.YBegin / BandRows; band <= (box.YEnd - 1) / BandRows; ++band)
         {
