@@ -16,5 +16,5 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 build=${NOVELVIEW_BUILD:-$root/build}
 unset DISPLAY
 "$root/app/setup.sh" novelview bench_novelview >&2
-exec python3 -B "$root/tests/bench/bench.py" --program "$build/bin/novelview" \
+exec /usr/bin/python3 -B "$root/tests/bench/bench.py" --program "$build/bin/novelview" \
   --kernels "$build/bin/bench_novelview" --out "$root/out/bench" "$@"

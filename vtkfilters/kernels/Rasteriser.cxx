@@ -39,6 +39,26 @@ int EndPixel(double value, int size)
   return value < 0 ? 0 : static_cast<int>(std::min(value + 1, static_cast<double>(size)));
 }
 
+/**
+ * Twice the signed area of a point with an edge, A x + B y + C. With the edge's ends swapped it is
+ * the same with the other sign, to the last bit: no point falls between two triangles that share it.
+ */
+struct EdgeFunction
+{
+  double A;
+  double B;
+  double C;
+
+  EdgeFunction(const ProjectedPoint& from, const ProjectedPoint& to, double sign)
+    : A(sign * (from.Y - to.Y))
+    , B(sign * (to.X - from.X))
+    , C(sign * (from.X * to.Y - to.X * from.Y))
+  {
+  }
+  /** Its part that is the same for a whole row. */
+  double Row(double y) const { return this->B * y + this->C; }
+};
+
 /** A triangle in the picture. */
 struct ProjectedTriangle
 {
@@ -62,27 +82,50 @@ struct ProjectedTriangle
     return { FirstPixel(xMin - margin, width), EndPixel(xMax + margin, width),
       FirstPixel(yMin - margin, height), EndPixel(yMax + margin, height) };
   }
+};
 
-  /** Depth at a place of the picture; NoDepth outside the triangle. */
-  float DepthAt(double x, double y) const
+/** Depths over a triangle. */
+class TriangleDepth
+{
+public:
+  explicit TriangleDepth(const ProjectedTriangle& triangle)
+    : TriangleDepth(triangle.P[0], triangle.P[1], triangle.P[2], triangle.Area > 0 ? 1 : -1)
   {
-    const double sign = this->Area > 0 ? 1 : -1;
-    const double w0 = sign * this->Edge(1, 2, x, y);
-    const double w1 = sign * this->Edge(2, 0, x, y);
-    const double w2 = sign * this->Edge(0, 1, x, y);
-    if (w0 < 0 || w1 < 0 || w2 < 0)
+  }
+
+  /** Calls take(x, depth) for the places x = first, first + 1 .. of a row that it covers. */
+  template <class Take>
+  void ForRow(double y, double first, int count, const Take& take) const
+  {
+    const double row0 = this->Edges[0].Row(y);
+    const double row1 = this->Edges[1].Row(y);
+    const double row2 = this->Edges[2].Row(y);
+    for (int i = 0; i < count; ++i)
     {
-      return NoDepth;
+      const double x = first + i;
+      const double w0 = this->Edges[0].A * x + row0;
+      const double w1 = this->Edges[1].A * x + row1;
+      const double w2 = this->Edges[2].A * x + row2;
+      if (w0 >= 0 && w1 >= 0 && w2 >= 0)
+      {
+        take(i,
+          static_cast<float>((w0 + w1 + w2) /
+            (w0 * this->InverseDepth[0] + w1 * this->InverseDepth[1] +
+              w2 * this->InverseDepth[2])));
+      }
     }
-    return static_cast<float>((w0 + w1 + w2) /
-      (w0 * this->P[0].InverseDepth + w1 * this->P[1].InverseDepth + w2 * this->P[2].InverseDepth));
   }
 
 private:
-  double Edge(int a, int b, double x, double y) const
+  TriangleDepth(
+    const ProjectedPoint& a, const ProjectedPoint& b, const ProjectedPoint& c, double sign)
+    : Edges{ { b, c, sign }, { c, a, sign }, { a, b, sign } }
+    , InverseDepth{ a.InverseDepth, b.InverseDepth, c.InverseDepth }
   {
-    return (this->P[a].X - x) * (this->P[b].Y - y) - (this->P[b].X - x) * (this->P[a].Y - y);
   }
+
+  EdgeFunction Edges[3]; ///< opposite to each corner
+  double InverseDepth[3];
 };
 
 /** The triangles of a mesh, projected and sorted into bands of rows that are drawn in parallel. */
@@ -178,15 +221,11 @@ void DrawMesh(
   bands.ForEach(
     [&](int cellId, const ProjectedTriangle& triangle, const PixelBox& box)
     {
+      const TriangleDepth depths(triangle);
       for (int y = box.YBegin; y < box.YEnd; ++y)
       {
-        for (int x = box.XBegin; x < box.XEnd; ++x)
-        {
-          if (const float depth = triangle.DepthAt(x, y); depth < NoDepth)
-          {
-            take(x, y, depth, cellId);
-          }
-        }
+        depths.ForRow(y, box.XBegin, box.XEnd - box.XBegin,
+          [&](int i, float depth) { take(box.XBegin + i, y, depth, cellId); });
       }
     });
 }
@@ -243,20 +282,29 @@ SubRays RasteriseSubRays(const TriangleMesh& mesh, const Camera& camera,
   bands.ForEach(
     [&](int cellId, const ProjectedTriangle& triangle, const PixelBox& box)
     {
+      const TriangleDepth depths(triangle);
+      const auto draw = [&](int x, int y, std::size_t k)
+      {
+        const int column = static_cast<int>(k) % perSide;
+        const int row = static_cast<int>(k) / perSide;
+        const std::size_t ray = rays.Index(x, y) * perPixel + k;
+        depths.ForRow(y + rays.Offset(row), x + rays.Offset(column), 1,
+          [&](int, float depth)
+          {
+            if (depth < rays.Depth[ray])
+            {
+              rays.Depth[ray] = depth;
+              rays.CellId[ray] = cellId;
+            }
+          });
+      };
       for (int y = box.YBegin; y < box.YEnd; ++y)
       {
         for (int x = box.XBegin; x < box.XEnd; ++x)
         {
           for (std::size_t k = 0; k < perPixel && rays.Index(x, y) >= 0; ++k)
           {
-            const float depth = triangle.DepthAt(x + rays.Offset(static_cast<int>(k) % perSide),
-              y + rays.Offset(static_cast<int>(k) / perSide));
-            const std::size_t ray = rays.Index(x, y) * perPixel + k;
-            if (depth < rays.Depth[ray])
-            {
-              rays.Depth[ray] = depth;
-              rays.CellId[ray] = cellId;
-            }
+            draw(x, y, k);
           }
         }
       }

@@ -23,9 +23,8 @@ struct Reference
   ImageRef<const float> Depth; ///< 0 or infinity = nothing there
 };
 
-std::vector<Reference> MakeReferences(const TriangleMesh& mesh, const TriangleMesh* occluders,
-  const std::vector<View>& views, const Camera& camera, const TextureOptions& options,
-  const Execution& execution)
+/** Everything that may hide a surface point from a photograph. */
+TriangleMesh SceneOf(const TriangleMesh& mesh, const TriangleMesh* occluders)
 {
   TriangleMesh scene = mesh;
   if (occluders)
@@ -37,28 +36,37 @@ std::vector<Reference> MakeReferences(const TriangleMesh& mesh, const TriangleMe
       scene.Triangles.push_back(t + shift);
     }
   }
+  return scene;
+}
+
+std::vector<Reference> MakeReferences(const TriangleMesh& mesh, const TriangleMesh* occluders,
+  const std::vector<View>& views, const Camera& camera, const TextureOptions& options,
+  const Execution& execution)
+{
   std::vector<Reference> references;
-  references.reserve(views.size());
+  bool needScene = false;
   for (const View& view : views)
   {
     // More than a right angle off, a photograph shows the other side.
-    if (view.Cam.OpticalAxis().dot(camera.OpticalAxis()) <= 0)
+    if (view.Cam.OpticalAxis().dot(camera.OpticalAxis()) > 0)
     {
-      continue;
-    }
-    Reference& reference = references.emplace_back();
-    reference.Photo = &view;
-    reference.Centre = view.Cam.Centre();
-    if (options.UseDepthMaps && !view.DepthMap.Empty())
-    {
-      reference.Depth = view.DepthMap;
-    }
-    else
-    {
-      reference.ModelDepth = Rasterise(scene, view.Cam, execution).Depth;
-      reference.Depth = static_cast<const Image<float>&>(reference.ModelDepth).Ref();
+      const bool hasDepth = options.UseDepthMaps && !view.DepthMap.Empty();
+      references.push_back(
+        { &view, view.Cam.Centre(), {}, hasDepth ? view.DepthMap : ImageRef<const float>() });
+      needScene = needScene || !hasDepth;
     }
   }
+  const TriangleMesh scene = needScene ? SceneOf(mesh, occluders) : TriangleMesh();
+  execution.ForEach(static_cast<std::int64_t>(references.size()),
+    [&](std::int64_t i)
+    {
+      Reference& reference = references[i];
+      if (reference.Depth.Empty())
+      {
+        reference.ModelDepth = Rasterise(scene, reference.Photo->Cam).Depth;
+        reference.Depth = static_cast<const Image<float>&>(reference.ModelDepth).Ref();
+      }
+    });
   return references;
 }
 
@@ -73,6 +81,24 @@ double Visibility(
   }
   const double ratio = std::max(behind, 0.0) / options.OcclusionPx;
   return std::exp(-ratio * ratio);
+}
+
+/** SampleBilinear() of three channels, inside the frame. */
+void SampleColor(const ImageRef<const std::uint8_t>& image, const Vector2d& u, double color[3])
+{
+  const int x = std::min(static_cast<int>(u.x()), std::max(image.Width - 2, 0));
+  const int y = std::min(static_cast<int>(u.y()), std::max(image.Height - 2, 0));
+  const double fx = u.x() - x;
+  const double fy = u.y() - y;
+  const std::uint8_t* top = image.Pixel(x, y);
+  const std::uint8_t* bottom = image.Pixel(x, std::min(y + 1, image.Height - 1));
+  const int right = x + 1 < image.Width ? 3 : 0;
+  for (int channel = 0; channel < 3; ++channel)
+  {
+    const double above = top[channel] * (1 - fx) + top[channel + right] * fx;
+    const double below = bottom[channel] * (1 - fx) + bottom[channel + right] * fx;
+    color[channel] = above * (1 - fy) + below * fy;
+  }
 }
 
 /** Everything the colour of one pixel needs; one per thread, so that no pixel allocates. */
@@ -97,18 +123,19 @@ public:
     for (const auto& [cosine, reference] : this->Nearest)
     {
       Vector2d u;
-      const double weight =
-        std::pow(cosine, this->Options.Power) * this->Share(*reference, point, u);
+      const double share = this->Share(*reference, point, u);
+      const double weight = share > 0 ? share * std::pow(cosine, this->Options.Power) : 0;
       if (weight <= 1e-6)
       {
         continue;
       }
       const double gain = this->Options.UseGains ? reference->Photo->Gain : 1;
       total += weight;
+      double color[3];
+      SampleColor(reference->Photo->Color, u, color);
       for (int channel = 0; channel < 3; ++channel)
       {
-        rgb[channel] +=
-          weight / gain * SampleBilinear(reference->Photo->Color, u.x(), u.y(), channel);
+        rgb[channel] += weight / gain * color[channel];
       }
       if (++used == this->Options.References)
       {
@@ -186,19 +213,28 @@ Image<std::uint8_t> RimPixels(const ItemBuffer& front, const Execution& executio
   const int width = front.CellId.Width;
   const int height = front.CellId.Height;
   Image<std::uint8_t> rim(width, height);
-  execution.ForEach(height,
-    [&](std::int64_t row)
+  execution.ParallelFor(height,
+    [&](std::int64_t begin, std::int64_t end)
     {
-      const int y = static_cast<int>(row);
-      for (int x = 0; x < width; ++x)
+      std::vector<std::uint8_t> any(width);
+      std::vector<std::uint8_t> all(width);
+      for (int y = static_cast<int>(begin); y < end; ++y)
       {
-        const bool hit = front.Hit(x, y);
-        for (int j = std::max(y - 1, 0); j <= std::min(y + 1, height - 1) && !rim(x, y); ++j)
+        std::fill(any.begin(), any.end(), 0);
+        std::fill(all.begin(), all.end(), 1);
+        for (int j = std::max(y - 1, 0); j <= std::min(y + 1, height - 1); ++j)
         {
-          for (int i = std::max(x - 1, 0); i <= std::min(x + 1, width - 1); ++i)
+          for (int x = 0; x < width; ++x)
           {
-            rim(x, y) |= front.Hit(i, j) != hit;
+            any[x] |= front.Hit(x, j);
+            all[x] &= front.Hit(x, j);
           }
+        }
+        for (int x = 0; x < width; ++x)
+        {
+          const int left = std::max(x - 1, 0);
+          const int right = std::min(x + 1, width - 1);
+          rim(x, y) = (any[left] | any[x] | any[right]) & !(all[left] & all[x] & all[right]);
         }
       }
     });
