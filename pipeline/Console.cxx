@@ -10,7 +10,7 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <csignal>
+#include <atomic>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -18,7 +18,7 @@ namespace novelview
 {
 namespace
 {
-volatile std::sig_atomic_t InterruptRequested = 0;
+std::atomic<bool> InterruptRequested = false;
 
 /** A logger of its own (none of spdlog's global ones) that writes lines as they are. */
 std::shared_ptr<spdlog::logger> LinesTo(std::FILE* file, const char* pattern)
@@ -49,6 +49,7 @@ Console::Console(Verbosity verbosity, std::FILE* out, std::FILE* err)
   {
     this->Terminal = out;
   }
+  SetStopFlag(&InterruptRequested);
   // What the layers below log goes the same way, and is as quiet.
   this->Before = spdlog::default_logger();
   spdlog::set_default_logger(this->Out);
@@ -166,12 +167,12 @@ double Console::SecondsSoFar() const
 
 void Console::Interrupt()
 {
-  InterruptRequested = 1;
+  InterruptRequested = true;
 }
 
 bool Console::Interrupted()
 {
-  return InterruptRequested != 0;
+  return InterruptRequested;
 }
 
 double PeakMemoryMiB()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Parallel.h"
 
+#include "Error.h"
 #include "Threads.h"
 
 #include <opencv2/core.hpp>
@@ -20,6 +21,10 @@ void ParallelForEach(std::size_t count, const std::function<void(std::size_t i)>
       {
         try
         {
+          if (StopRequested())
+          {
+            throw Interrupted();
+          }
           body(static_cast<std::size_t>(i));
         }
         catch (...)

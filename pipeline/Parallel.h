@@ -10,6 +10,7 @@ namespace novelview
 /**
  * Calls body(i) for every i below `count`, spread over the threads that LimitThreads() allows.
  * When some of the calls throw, the exception of the lowest i is thrown on, at any thread count.
+ * When StopRequested() (Threads.h), the rest is left and Interrupted thrown.
  */
 void ParallelForEach(std::size_t count, const std::function<void(std::size_t i)>& body);
 

@@ -2,6 +2,7 @@
 #include "StageRunner.h"
 
 #include "Error.h"
+#include "Threads.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkCallbackCommand.h>
@@ -89,7 +90,11 @@ void RunStage(const std::string& stage, vtkAlgorithm* filter, const StageProgres
   const auto start = std::chrono::steady_clock::now();
   filter->SetAbortExecute(0);
   filter->Update();
-  if (observer.StopAsked)
+  if (observer.StopAsked || !observer.FirstError.empty())
+  {
+    filter->Modified(); // or VTK takes the empty outputs for up to date
+  }
+  if (observer.StopAsked || (!observer.FirstError.empty() && StopRequested()))
   {
     throw Interrupted();
   }

@@ -29,6 +29,7 @@ inline Execution ExecutionFor(vtkAlgorithm* filter)
     filter->UpdateProgress(fraction);
     return !filter->GetAbortExecute();
   };
+  execution.StopRequested = StopRequested;
   return execution;
 }
 

@@ -5,6 +5,11 @@
 
 namespace novelview
 {
+namespace
+{
+std::atomic<const std::atomic<bool>*> StopFlag = nullptr;
+}
+
 void ParallelFor(
   std::int64_t count, const std::function<void(std::int64_t begin, std::int64_t end)>& body)
 {
@@ -20,5 +25,16 @@ void SetNumberOfThreads(int count)
 int NumberOfThreads()
 {
   return vtkSMPTools::GetEstimatedNumberOfThreads();
+}
+
+void SetStopFlag(const std::atomic<bool>* flag)
+{
+  StopFlag = flag;
+}
+
+bool StopRequested()
+{
+  const std::atomic<bool>* flag = StopFlag;
+  return flag && *flag;
 }
 }

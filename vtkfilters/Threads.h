@@ -6,6 +6,7 @@
 
 #include "vtkNovelViewFiltersModule.h"
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 
@@ -20,6 +21,15 @@ VTKNOVELVIEWFILTERS_EXPORT void SetNumberOfThreads(int count);
 
 /** How many it is estimated to use. */
 VTKNOVELVIEWFILTERS_EXPORT int NumberOfThreads();
+
+/**
+ * A flag that makes every filter stop in the middle of its work, as AbortExecute does, but for signal
+ * handlers: it is read by all threads and often. Null (none) by default; must outlive its use.
+ */
+VTKNOVELVIEWFILTERS_EXPORT void SetStopFlag(const std::atomic<bool>* flag);
+
+/** Whether the flag is there and set. */
+VTKNOVELVIEWFILTERS_EXPORT bool StopRequested();
 }
 
 #endif

@@ -92,7 +92,7 @@ std::vector<Witness> WitnessesOf(
 
 Image<float> DepthConfidence(const std::vector<View>& views, int viewId,
   const std::vector<Image<float>>& depths, const Image<float>& score,
-  const ReferenceDepthOptions& options, double footprint)
+  const ReferenceDepthOptions& options, double footprint, const Execution& execution)
 {
   const Image<float>& depth = depths[viewId];
   const Rays rays(views[viewId].Cam);
@@ -101,6 +101,7 @@ Image<float> DepthConfidence(const std::vector<View>& views, int viewId,
   Image<float> confidence(depth.Width, depth.Height);
   for (int y = 0; y < depth.Height; ++y)
   {
+    execution.Tick();
     for (int x = 0; x < depth.Width; ++x)
     {
       if (depth(x, y) <= 0)

@@ -149,7 +149,7 @@ PixelBox BoxOfBase(const Image<float>& base)
 
 MatchingVolume MatchNeighbours(const MatchImage& key, const Image<float>& base,
   const Image<float>& last, const std::vector<const MatchImage*>& neighbours, const PixelBox& box,
-  const OffsetLabels& labels, const MatchOptions& options)
+  const OffsetLabels& labels, const MatchOptions& options, const Execution& execution)
 {
   MatchingVolume volume;
   volume.Box = box;
@@ -172,6 +172,7 @@ MatchingVolume MatchNeighbours(const MatchImage& key, const Image<float>& base,
   std::vector<std::vector<std::int16_t>> ranks(best, std::vector<std::int16_t>(width));
   for (int label = 0; label < labels.Count; ++label)
   {
+    execution.Tick();
     MatchAtLabel(label, sweeps, ranks, options.WindowRadius, volume);
   }
   return volume;

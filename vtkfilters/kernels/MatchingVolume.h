@@ -3,6 +3,7 @@
 #define novelview_MatchingVolume_h
 
 #include "Camera.h"
+#include "Execution.h"
 #include "ImageRef.h"
 #include "View.h"
 
@@ -88,7 +89,7 @@ struct MatchingVolume
  */
 MatchingVolume MatchNeighbours(const MatchImage& key, const Image<float>& base,
   const Image<float>& last, const std::vector<const MatchImage*>& neighbours, const PixelBox& box,
-  const OffsetLabels& labels, const MatchOptions& options);
+  const OffsetLabels& labels, const MatchOptions& options, const Execution& execution = {});
 
 /** The box around the pixels with a base. */
 PixelBox BoxOfBase(const Image<float>& base);
@@ -103,8 +104,8 @@ struct SemiGlobalOptions
  * Semi-global matching (Hirschmueller 2008): adds up the least costs along eight directions.
  * Returns the sums in a volume of the same shape.
  */
-MatchingVolume AggregateSemiGlobally(
-  const MatchingVolume& volume, const Image<float>& base, const SemiGlobalOptions& options);
+MatchingVolume AggregateSemiGlobally(const MatchingVolume& volume, const Image<float>& base,
+  const SemiGlobalOptions& options, const Execution& execution = {});
 
 /**
  * Depth per pixel of the frame from the least aggregated cost, refined by a parabola through it and

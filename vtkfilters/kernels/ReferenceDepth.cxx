@@ -45,7 +45,7 @@ struct PassResult
 
 PassResult MatchPass(const MatchImage& key, const Image<float>& base, const Image<float>& last,
   const std::vector<const MatchImage*>& neighbours, const OffsetLabels& labels,
-  const ReferenceDepthOptions& options)
+  const ReferenceDepthOptions& options, const Execution& execution)
 {
   PassResult result;
   result.Depth = Image<float>(base.Width, base.Height);
@@ -56,8 +56,8 @@ PassResult MatchPass(const MatchImage& key, const Image<float>& base, const Imag
     return result;
   }
   const MatchingVolume volume =
-    MatchNeighbours(key, base, last, neighbours, box, labels, options.Match);
-  const MatchingVolume sums = AggregateSemiGlobally(volume, base, options.SemiGlobal);
+    MatchNeighbours(key, base, last, neighbours, box, labels, options.Match, execution);
+  const MatchingVolume sums = AggregateSemiGlobally(volume, base, options.SemiGlobal, execution);
   Image<std::uint8_t> winner;
   result.Depth = MedianOfKnown(WinningDepth(sums, base, winner), 2);
   for (int y = 0; y < box.Height(); ++y)
@@ -265,7 +265,7 @@ private:
     labels.Count = std::clamp(static_cast<int>((last - labels.First) / labels.Step) + 1, 1, 255);
     this->Keep(i,
       MatchPass(images[i], interval.Front, interval.Thickness, this->NeighbourImages(i, images),
-        labels, this->Options));
+        labels, this->Options, this->Run));
   }
 
   /** To full size: rated and fused at half of it, thin parts are lost. */
@@ -288,6 +288,7 @@ private:
     const Vector3d centre = image.Cam.Centre();
     for (int y = 0; y < base.Height; ++y)
     {
+      this->Run.Tick();
       for (int x = 0; x < base.Width; ++x)
       {
         const double front = interval.Front(x, y);
@@ -321,8 +322,9 @@ private:
     labels.Step = this->Options.FineStepPx * this->Footprint;
     labels.Count = 2 * static_cast<int>(this->Options.FineRangePx / this->Options.FineStepPx) + 1;
     const Image<float> last(base.Width, base.Height, 1, static_cast<float>(1e30));
-    this->Keep(
-      i, MatchPass(image, base, last, this->NeighbourImages(i, images), labels, this->Options));
+    this->Keep(i,
+      MatchPass(
+        image, base, last, this->NeighbourImages(i, images), labels, this->Options, this->Run));
   }
 
   /** The photo score stands in the place of the confidence until all depths are known. */
@@ -338,7 +340,7 @@ private:
       [&](std::int64_t i)
       {
         this->Confidences[i] = DepthConfidence(this->Views, static_cast<int>(i), this->Depths,
-          this->Confidences[i], this->Options, this->Footprint);
+          this->Confidences[i], this->Options, this->Footprint, this->Run);
       });
   }
 

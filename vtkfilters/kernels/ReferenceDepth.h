@@ -62,7 +62,7 @@ Image<float> MedianOfKnown(const Image<float>& image, int radius);
  */
 Image<float> DepthConfidence(const std::vector<View>& views, int viewId,
   const std::vector<Image<float>>& depths, const Image<float>& score,
-  const ReferenceDepthOptions& options, double footprint);
+  const ReferenceDepthOptions& options, double footprint, const Execution& execution = {});
 }
 
 #endif

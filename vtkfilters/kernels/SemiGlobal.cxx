@@ -85,9 +85,10 @@ NOVELVIEW_CLONES Cost AdvanceLabels(const Cost* __restrict before, const Cost* _
 class Aggregator
 {
 public:
-  Aggregator(
-    const MatchingVolume& volume, const Image<float>& base, const SemiGlobalOptions& options)
+  Aggregator(const MatchingVolume& volume, const Image<float>& base,
+    const SemiGlobalOptions& options, const Execution& execution)
     : Volume(volume)
+    , Execute(execution)
     , Base(base)
     , P1(PenaltyOf(options.StepPenalty))
     , P2(PenaltyOf(options.JumpPenalty))
@@ -129,6 +130,7 @@ private:
     std::vector<PathRow> now = before;
     for (int n = 0; n < this->Height; ++n)
     {
+      this->Execute.Tick();
       const int y = dy > 0 ? n : this->Height - 1 - n;
       this->ReadMask(y);
       for (PathRow& row : now)
@@ -204,6 +206,7 @@ private:
   }
 
   const MatchingVolume& Volume;
+  const Execution& Execute;
   const Image<float>& Base;
   const Cost P1;
   const Cost P2;
@@ -217,10 +220,10 @@ private:
 };
 }
 
-MatchingVolume AggregateSemiGlobally(
-  const MatchingVolume& volume, const Image<float>& base, const SemiGlobalOptions& options)
+MatchingVolume AggregateSemiGlobally(const MatchingVolume& volume, const Image<float>& base,
+  const SemiGlobalOptions& options, const Execution& execution)
 {
-  return Aggregator(volume, base, options).Run();
+  return Aggregator(volume, base, options, execution).Run();
 }
 
 Image<float> WinningDepth(

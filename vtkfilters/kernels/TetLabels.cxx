@@ -49,23 +49,21 @@ EdgeLists CollectEdges(const DelaunayComplex& complex, const Execution& executio
     edges.Start[s + 1] = edges.Start[s] + (triangles > 0 ? triangles / 2 + 2 : 0);
   }
   edges.Points.resize(static_cast<std::size_t>(edges.Start.back()));
-  execution.ParallelFor(complex.NumberOfSamples,
-    [&](std::int64_t begin, std::int64_t end)
+  execution.ForEachWith(
+    complex.NumberOfSamples, [&complex] { return std::vector<int>(complex.Points.size(), -1); },
+    [&](std::vector<int>& seenBy, std::int64_t sample)
     {
-      std::vector<int> seenBy(complex.Points.size(), -1);
-      for (int s = static_cast<int>(begin); s < end; ++s)
+      const int s = static_cast<int>(sample);
+      seenBy[s] = s;
+      int next = edges.Start[s];
+      for (int i = complex.IncidenceStart[s]; i < complex.IncidenceStart[s + 1]; ++i)
       {
-        seenBy[s] = s;
-        int next = edges.Start[s];
-        for (int i = complex.IncidenceStart[s]; i < complex.IncidenceStart[s + 1]; ++i)
+        for (int other : complex.Tets[complex.Incidence[i]])
         {
-          for (int other : complex.Tets[complex.Incidence[i]])
+          if (seenBy[other] != s)
           {
-            if (seenBy[other] != s)
-            {
-              seenBy[other] = s;
-              edges.Points[next++] = other;
-            }
+            seenBy[other] = s;
+            edges.Points[next++] = other;
           }
         }
       }
@@ -105,10 +103,15 @@ public:
     }
   }
 
-  std::vector<Side> Run()
+  std::vector<Side> Run(const Execution& execution)
   {
+    int steps = 0;
     while (this->Highest >= 0)
     {
+      if (++steps % 1024 == 0)
+      {
+        execution.Tick();
+      }
       std::vector<int>& level = this->Queue[this->Highest];
       if (level.empty())
       {
@@ -621,7 +624,7 @@ std::vector<Side> LabelTets(const DelaunayComplex& complex,
       }
     }
   }
-  std::vector<Side> labels = labeller.Run();
+  std::vector<Side> labels = labeller.Run(execution);
   SpreadLabels(complex, labels, execution);
   return labels;
 }
@@ -665,14 +668,12 @@ int MakeManifold(
   std::vector<char> turns(complex.Tets.size(), 0);
   const std::size_t numberOfSamples = static_cast<std::size_t>(complex.NumberOfSamples);
   std::vector<char> irregular(numberOfSamples, 0);
-  execution.ParallelFor(complex.NumberOfSamples,
-    [&](std::int64_t begin, std::int64_t end)
+  execution.ForEachWith(
+    complex.NumberOfSamples, [&complex] { return Star(complex); },
+    [&](Star& around, std::int64_t sample)
     {
-      Star star(complex);
-      for (int s = static_cast<int>(begin); s < end; ++s)
-      {
-        irregular[s] = !IsBuried(complex, labels, s) && !IsRegular(star.Group(s, labels));
-      }
+      const int s = static_cast<int>(sample);
+      irregular[s] = !IsBuried(complex, labels, s) && !IsRegular(around.Group(s, labels));
     });
   std::deque<int> queue;
   for (int s = 0; s < complex.NumberOfSamples; ++s)
@@ -686,6 +687,7 @@ int MakeManifold(
   Star star(complex);
   while (!queue.empty())
   {
+    execution.Tick();
     const int sample = queue.front();
     queue.pop_front();
     queued[sample] = 0;

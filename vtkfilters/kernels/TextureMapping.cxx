@@ -213,29 +213,32 @@ Image<std::uint8_t> RimPixels(const ItemBuffer& front, const Execution& executio
   const int width = front.CellId.Width;
   const int height = front.CellId.Height;
   Image<std::uint8_t> rim(width, height);
-  execution.ParallelFor(height,
-    [&](std::int64_t begin, std::int64_t end)
+  struct Rows
+  {
+    std::vector<std::uint8_t> Any; ///< hit in the row or one of those next to it
+    std::vector<std::uint8_t> All; ///< hit in all of them
+  };
+  execution.ForEachWith(
+    height, [] { return Rows(); },
+    [&](Rows& rows, std::int64_t row)
     {
-      std::vector<std::uint8_t> any(width);
-      std::vector<std::uint8_t> all(width);
-      for (int y = static_cast<int>(begin); y < end; ++y)
+      const int y = static_cast<int>(row);
+      rows.Any.assign(width, 0);
+      rows.All.assign(width, 1);
+      for (int j = std::max(y - 1, 0); j <= std::min(y + 1, height - 1); ++j)
       {
-        std::fill(any.begin(), any.end(), 0);
-        std::fill(all.begin(), all.end(), 1);
-        for (int j = std::max(y - 1, 0); j <= std::min(y + 1, height - 1); ++j)
-        {
-          for (int x = 0; x < width; ++x)
-          {
-            any[x] |= front.Hit(x, j);
-            all[x] &= front.Hit(x, j);
-          }
-        }
         for (int x = 0; x < width; ++x)
         {
-          const int left = std::max(x - 1, 0);
-          const int right = std::min(x + 1, width - 1);
-          rim(x, y) = (any[left] | any[x] | any[right]) & !(all[left] & all[x] & all[right]);
+          rows.Any[x] |= front.Hit(x, j);
+          rows.All[x] &= front.Hit(x, j);
         }
+      }
+      for (int x = 0; x < width; ++x)
+      {
+        const int left = std::max(x - 1, 0);
+        const int right = std::min(x + 1, width - 1);
+        rim(x, y) = (rows.Any[left] | rows.Any[x] | rows.Any[right]) &
+          !(rows.All[left] & rows.All[x] & rows.All[right]);
       }
     });
   return rim;
@@ -373,29 +376,27 @@ TexturedView TextureView(const TriangleMesh& mesh, const TriangleMesh* occluders
   result.CellId = Image<int>(width, height, 1, -1);
   result.Seen = Image<std::uint8_t>(width, height);
   Image<float> color(width, height, 3);
-  execution.ParallelFor(height,
-    [&](std::int64_t begin, std::int64_t end)
+  execution.ForEachWith(
+    height, [&] { return Blender(references, camera, options); },
+    [&](Blender& blender, std::int64_t row)
     {
-      Blender blender(references, camera, options);
-      for (int y = static_cast<int>(begin); y < end; ++y)
+      const int y = static_cast<int>(row);
+      for (int x = 0; x < width; ++x)
       {
-        for (int x = 0; x < width; ++x)
+        if (buffer.Coverage(x, y) < 0.5f)
         {
-          if (buffer.Coverage(x, y) < 0.5f)
-          {
-            continue;
-          }
-          const Vector3d point =
-            camera.Unproject(Vector2d(x, y) + buffer.Offset(x, y), buffer.Front.Depth(x, y));
-          double rgb[3];
-          result.Mask(x, y) = 255;
-          result.Depth(x, y) = buffer.Front.Depth(x, y);
-          result.CellId(x, y) = buffer.Front.CellId(x, y);
-          result.Seen(x, y) = blender.Blend(point, rgb);
-          for (int channel = 0; channel < 3; ++channel)
-          {
-            color(x, y, channel) = static_cast<float>(rgb[channel]);
-          }
+          continue;
+        }
+        const Vector3d point =
+          camera.Unproject(Vector2d(x, y) + buffer.Offset(x, y), buffer.Front.Depth(x, y));
+        double rgb[3];
+        result.Mask(x, y) = 255;
+        result.Depth(x, y) = buffer.Front.Depth(x, y);
+        result.CellId(x, y) = buffer.Front.CellId(x, y);
+        result.Seen(x, y) = blender.Blend(point, rgb);
+        for (int channel = 0; channel < 3; ++channel)
+        {
+          color(x, y, channel) = static_cast<float>(rgb[channel]);
         }
       }
     });

@@ -272,15 +272,10 @@ std::vector<CellSample> SampleBlocks(const SilhouetteField& field, const Lattice
   for (std::size_t begin = 0; begin < blocks.size(); begin += chunk)
   {
     const std::size_t count = std::min(chunk, blocks.size() - begin);
-    execution.ParallelFor(static_cast<std::int64_t>(count),
-      [&](std::int64_t first, std::int64_t last)
-      {
-        BlockSampler sampler(field, lattice);
-        for (std::int64_t i = first; i < last; ++i)
-        {
-          sampler.Sample(blocks[begin + i], perBlock[begin + i]);
-        }
-      });
+    execution.ForEachWith(
+      static_cast<std::int64_t>(count), [&] { return BlockSampler(field, lattice); },
+      [&](BlockSampler& sampler, std::int64_t i)
+      { sampler.Sample(blocks[begin + i], perBlock[begin + i]); });
     execution.Report(0.1 + 0.8 * static_cast<double>(begin + count) / blocks.size());
   }
   std::vector<CellSample> samples;
