@@ -70,7 +70,7 @@ evaluate() {
     run=$out/runs/$(slug "$object")/$(slug "$name")
     echo "$object, $name"
     make "$run/scores.json" "$run/log.txt" \
-      "$program" evaluate "$data" --out "$run" --no-pictures "$@" "${options[@]}"
+      "$program" evaluate "$data" --out "$run" --no-pictures --cache "$out/cache" "$@" "${options[@]}"
     printf '%s\t%s\t%s\n' "$object" "$name" "$run/scores.json" >>"$out/runs.tsv"
   done
 }
