@@ -9,7 +9,7 @@
 # growth-PRESET.png. Let nothing else run meanwhile; it tells what share of the processor others took.
 #
 # usage: tests/bench/bench.sh [--quick] [--out DIR] [--parts kernels,runs,growth] [--presets best,paper]
-#                             [--threads 1,2] [--repetitions N]
+#                             [--data small,middle,large] [--threads 1,2] [--repetitions N]
 #   --quick   one repetition of small sizes, some minutes: shows that it works, not how fast it is
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
