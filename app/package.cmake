@@ -1,0 +1,45 @@
+# What is installed beside the program, and the Debian package: `cpack -G DEB` in the build folder.
+
+# ---- Manual pages: the program's own help, novelview(1) and novelview-COMMAND(1) -----------------
+find_program(HELP2MAN help2man)
+if(HELP2MAN)
+  set(commands generate run render evaluate convert)
+  set(pages)
+  foreach(command "" ${commands})
+    string(JOIN "-" page novelview ${command})
+    set(file "${CMAKE_BINARY_DIR}/man/${page}.1")
+    string(TOUPPER "${page}" title)
+    # help2man takes "novelview run" for novelview with a word.
+    add_custom_command(OUTPUT "${file}" DEPENDS novelview
+      COMMAND "${CMAKE_COMMAND}" -E make_directory "${CMAKE_BINARY_DIR}/man"
+      COMMAND "${HELP2MAN}" --no-info --section=1 "--version-string=novelview ${PROJECT_VERSION}"
+        "--name=novel views of an object from calibrated photographs" "--output=${file}"
+        "$<TARGET_FILE:novelview> ${command}"
+      COMMAND sed -i -e "s/^\\.TH NOVELVIEW /.TH ${title} /" -e "s/^novelview .- /${page} \\\\- /"
+        "${file}"
+      VERBATIM)
+    list(APPEND pages "${file}")
+  endforeach()
+  add_custom_target(novelview_man ALL DEPENDS ${pages})
+  install(FILES ${pages} DESTINATION "${CMAKE_INSTALL_MANDIR}/man1")
+endif()
+
+install(FILES "${CMAKE_CURRENT_LIST_DIR}/novelview.bash"
+  DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions" RENAME novelview)
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/novelview" RENAME copyright)
+install(FILES "${PROJECT_SOURCE_DIR}/README.md" DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/novelview")
+
+# ---- Package -------------------------------------------------------------------------------------
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_CONTACT "The NovelView developers")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "novel views of an object from calibrated photographs")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "glmark2-data, python3-numpy, python3-vtk9")
+set(CPACK_PRE_BUILD_SCRIPTS "${CMAKE_CURRENT_LIST_DIR}/package-python.cmake")
+set(CPACK_NOVELVIEW_PYTHON "${NOVELVIEW_PYTHON_DESTINATION}")
+include(CPack)
