@@ -3,11 +3,14 @@
 """Markdown tables of the evaluations that tests/ablation.sh has run.
 
 usage: ablation_table.py RUNS.tsv > ablation.md
+       ablation_table.py RUNS.tsv --readme README.md   puts the tables of README.md anew: what is
+                                                       between <!-- ablation NAME --> and <!-- end -->
 
 Every line of RUNS.tsv is: object, configuration and scores.json, separated by tabs. Objects and
 configurations keep their order there.
 """
 import json
+import re
 import sys
 
 
@@ -16,11 +19,18 @@ def number(value, digits):
     return "–" if value is None else f"{value:.{digits}f}"
 
 
-def rms_ssim(scores):
+def rms_ssim(scores, digits=2):
     """A stage's two scores in one cell."""
     if scores is None:
         return "–"
-    return number(scores["rms"], 2) + " / " + number(scores["ssim"], 3)
+    return number(scores["rms"], digits) + " / " + number(scores["ssim"], 3)
+
+
+def closure_cell(scores):
+    closure = scores.get("gap_closure")
+    if not closure or closure["rms"] is None:
+        return "–"
+    return number(closure["rms"], 2) + " / " + number(closure["ssim"], 2)
 
 
 def table(head, rows):
@@ -54,12 +64,10 @@ def stages(runs, name, configurations):
         if scores is None:
             continue
         mean = scores["mean"]
-        closure = scores.get("gap_closure")
         full = mean["full"]
         rows.append([configuration, rms_ssim(mean["hull"]), rms_ssim(mean["outline"]),
                      rms_ssim(full), rms_ssim(mean.get("oracle")),
-                     number(closure["rms"], 2) + " / " + number(closure["ssim"], 2)
-                     if closure else "–",
+                     closure_cell(scores),
                      number(full["iou"], 4), number(full["missing"], 4),
                      number(full["excess"], 4)])
     return table(["", "hull", "outline", "full", "oracle", "gap closed", "IoU", "missing",
@@ -82,8 +90,55 @@ def views(runs, name, configurations):
     return table([""] + used, rows)
 
 
+def silhouette_cells(scores):
+    return [number(scores[name], 4) for name in ("iou", "missing", "excess")]
+
+
+def best_means(runs, objects):
+    """A row per object: what `best` makes of it."""
+    rows = []
+    for name in objects:
+        scores = runs[name, "best"]
+        mean = scores["mean"]
+        rows.append([name, rms_ssim(mean["hull"], 1), rms_ssim(mean["outline"], 1),
+                     f"**{rms_ssim(mean['full'], 1)}**", rms_ssim(mean.get("oracle"), 1),
+                     closure_cell(scores)] + silhouette_cells(mean["full"]))
+    return table(["`best`", "hull", "outline", "full", "oracle", "gap closed", "IoU", "missing",
+                  "excess"], rows)
+
+
+def best_views(runs, objects):
+    """A row per object and view: what `best` makes of it."""
+    rows = [[f"{name}, {view['view']}", rms_ssim(view["stages"]["hull"], 1),
+             rms_ssim(view["stages"]["full"], 1)] + silhouette_cells(view["stages"]["full"])
+            for name in objects for view in runs[name, "best"]["views"]]
+    return table(["`best`, view", "hull", "full", "IoU", "missing", "excess"], rows)
+
+
+def parts(runs, objects, configurations):
+    """A row per configuration, a column per object: the full stage."""
+    return table(["full stage"] + objects,
+                 [[configuration] + [rms_ssim(runs[name, configuration]["mean"]["full"], 1)
+                                     for name in objects] for configuration in configurations])
+
+
+def update_readme(path, runs, objects, configurations):
+    with open(path, encoding="utf-8") as file:
+        text = file.read()
+    for name, content in (("best", best_means(runs, objects)),
+                          ("parts", parts(runs, objects, configurations)),
+                          ("views", best_views(runs, objects))):
+        text, count = re.subn(rf"(<!-- ablation {name} -->\n).*?(\n<!-- end -->)",
+                              lambda found, new=content: found[1] + new + found[2].lstrip("\n"),
+                              text, flags=re.DOTALL)
+        if count != 1:
+            sys.exit(f"{path}: {count} places for the table '{name}', not one")
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(text)
+
+
 def main():
-    if len(sys.argv) != 2:
+    if len(sys.argv) != 2 and not (len(sys.argv) == 4 and sys.argv[2] == "--readme"):
         sys.exit(__doc__)
     runs, objects, configurations = {}, {}, {}
     with open(sys.argv[1], encoding="utf-8") as lines:
@@ -94,6 +149,9 @@ def main():
             objects[name] = configurations[configuration] = True
     objects, configurations = list(objects), list(configurations)
 
+    if len(sys.argv) == 4:
+        update_readme(sys.argv[3], runs, objects, configurations)
+        return
     print("# Ablation\n")
     print("RMS in grey levels / SSIM over the foreground, means over the held-out views.\n")
     print("## Result of the full stage\n")
