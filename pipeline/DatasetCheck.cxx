@@ -161,8 +161,8 @@ private:
     {
       this->Report.Trials = tried(this->Invert);
       const std::size_t best = ChooseTrial(this->Report.Trials);
-      const double gain = this->Report.Trials[best].Iou - this->Report.Trials.front().Iou;
-      const bool convincing = this->Report.Trials[best].Iou >= Convincing && gain >= ClearGain;
+      const bool convincing =
+        ClearlyBetter(this->Report.Trials[best].Iou, this->Report.Trials[0].Iou);
       this->Report.ChosenTrial = convincing ? static_cast<int>(best) : 0;
     }
     this->ApplyConvention(own);
@@ -474,6 +474,14 @@ private:
       finding.Command = this->ConvertCommand(finding.Options);
       this->Report.Findings.push_back(finding);
     }
+  }
+
+  /** Whether silhouettes that agree so well show that others, which agree as now, are read wrong. */
+  static bool ClearlyBetter(double best, double now)
+  {
+    // Either much is gained, or most of what is missing.
+    return best >= Convincing &&
+      (best - now >= ClearGain || (best - now >= ClearGain / 3 && 1 - best <= (1 - now) / 4));
   }
 
   static constexpr double Convincing =

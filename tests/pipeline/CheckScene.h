@@ -60,11 +60,12 @@ struct WrittenAs
 inline void WriteDataset(const std::filesystem::path& folder,
   const std::vector<support::Photo>& photos, const WrittenAs& as = {})
 {
+  const std::filesystem::path photoFolder = folder / FormatOf(as.Format).PhotoFolder;
   CameraConvention own = ConventionOf(as.Format);
   std::vector<Photograph> photographs;
   for (const support::Photo& photo : photos)
   {
-    WriteImageFile(folder / photo.Name, std::as_const(photo.Color).Ref());
+    WriteImageFile(photoFolder / photo.Name, std::as_const(photo.Color).Ref());
     if (as.Masks && !photo.Mask.Values.empty())
     {
       Image<std::uint8_t> mask = photo.Mask;
