@@ -281,7 +281,7 @@ TEST_F(DatasetCheck, AWrongCameraIsNamed)
 TEST_F(DatasetCheck, APhotographOfSomethingElseIsNamed)
 {
   std::vector<Photo> photos = CleanPhotos();
-  const Photo other = support::Take(support::Box({ -0.2, -0.5, -0.2 }, { 0.2, 0.1, 0.4 }),
+  const Photo other = support::Take(support::Box({ -0.2, -0.3, -0.2 }, { 0.2, 0.1, 0.3 }),
     support::Waves(0.1), photos[10].Cam, photos[10].Name);
   photos[10] = other;
   const CheckReport report = this->Check(photos);
