@@ -53,6 +53,8 @@ struct Parsed
   OptionParser Render;
   OptionParser Evaluate;
   OptionParser Convert;
+  OptionParser Check;
+  OptionParser Mask;
 };
 
 CLI::App* AddCommand(
@@ -108,6 +110,29 @@ void AddConvert(CLI::App& app, Parsed& parsed)
   parsed.Convert.AddTo(*convert, OptionsOf(defaults));
 }
 
+void AddCheck(CLI::App& app, Parsed& parsed)
+{
+  CheckOptions defaults;
+  CLI::App* check = AddCommand(app, "check",
+    "examine a data set: files, masks, cameras, conventions; exit code 3 when something is wrong",
+    parsed);
+  check->add_option("dataset", parsed.Dataset, "folder of the photographs")
+    ->required()
+    ->type_name("DATASET");
+  parsed.Check.AddTo(*check, Without(OptionsOf(defaults), "dataset"));
+}
+
+void AddMask(CLI::App& app, Parsed& parsed)
+{
+  MaskOptions defaults;
+  CLI::App* mask = AddCommand(
+    app, "mask", "write a mask for every photograph, and a contact sheet to look at", parsed);
+  mask->add_option("dataset", parsed.Dataset, "folder of the photographs")
+    ->required()
+    ->type_name("DATASET");
+  parsed.Mask.AddTo(*mask, OptionsOf(defaults));
+}
+
 /** A command on a data set; its table tells the defaults of the options. */
 template <class Options>
 void AddOnDataset(CLI::App& command, Parsed& parsed, OptionParser& parser)
@@ -147,9 +172,18 @@ void AddCommands(CLI::App& app, Parsed& parsed, const Commands& commands)
   {
     AddConvert(app, parsed);
   }
+  if (commands.Check)
+  {
+    AddCheck(app, parsed);
+  }
+  if (commands.Mask)
+  {
+    AddMask(app, parsed);
+  }
 }
 
-void Dispatch(const CLI::App& app, const Parsed& parsed, const Commands& commands, Console& console)
+/** Runs the command; returns the exit code. */
+int Dispatch(const CLI::App& app, const Parsed& parsed, const Commands& commands, Console& console)
 {
   const std::string command = app.get_subcommands().front()->get_name();
   if (command == "generate")
@@ -184,12 +218,25 @@ void Dispatch(const CLI::App& app, const Parsed& parsed, const Commands& command
     LimitThreads(options.Threads);
     commands.Convert(options, console);
   }
+  else if (command == "check")
+  {
+    const CheckOptions options = MakeCheckOptions(parsed.Dataset, parsed.Check.Given());
+    LimitThreads(options.Threads);
+    return commands.Check(options, console) ? ExitCode::Ok : ExitCode::Problems;
+  }
+  else if (command == "mask")
+  {
+    const MaskOptions options = MakeMaskOptions(parsed.Dataset, parsed.Mask.Given());
+    LimitThreads(options.Threads);
+    commands.Mask(options, console);
+  }
   else
   {
     const EvaluateOptions options = MakeEvaluateOptions(parsed.Dataset, parsed.Evaluate.Given());
     LimitThreads(options.Threads);
     commands.Evaluate(options, console);
   }
+  return ExitCode::Ok;
 }
 
 /** " did you mean ..?", when a word is near one of the known ones. */
@@ -251,12 +298,12 @@ int RunCommandLine(int argc, const char* const* argv, const Commands& commands)
   Console console(parsed.Common.Level());
   try
   {
-    Dispatch(app, parsed, commands, console);
+    const int code = Dispatch(app, parsed, commands, console);
     if (!parsed.Common.Timings.empty())
     {
       WriteTextAtomically(parsed.Common.Timings, console.TimingsText());
     }
-    return ExitCode::Ok;
+    return code;
   }
   catch (const Interrupted&)
   {

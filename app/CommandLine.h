@@ -19,6 +19,8 @@ struct Commands
   std::function<void(const RenderOptions&, Console&)> Render;
   std::function<void(const EvaluateOptions&, Console&)> Evaluate;
   std::function<void(const ConvertOptions&, Console&)> Convert;
+  std::function<bool(const CheckOptions&, Console&)> Check; ///< whether there are no problems
+  std::function<void(const MaskOptions&, Console&)> Mask;
 };
 
 /** Exit codes of the program. */
@@ -27,6 +29,7 @@ struct ExitCode
   static constexpr int Ok = 0;
   static constexpr int Failed = 1;        ///< the run failed
   static constexpr int Usage = 2;         ///< bad options or job file
+  static constexpr int Problems = 3;      ///< `check` found some
   static constexpr int Interrupted = 130; ///< stopped by the user, 128 + SIGINT as shells have it
 };
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "CheckCommand.h"
 #include "CommandLine.h"
 #include "ConvertCommand.h"
 #include "EvaluateCommand.h"
+#include "MaskCommand.h"
 #include "RunCommand.h"
 
 #include <csignal>
@@ -36,5 +38,7 @@ int main(int argc, char** argv)
   commands.Render = RenderJob;
   commands.Evaluate = EvaluateDataset;
   commands.Convert = ConvertDataset;
+  commands.Check = RunCheck;
+  commands.Mask = WriteMasks;
   return RunCommandLine(argc, argv, commands);
 }

@@ -47,6 +47,23 @@ OptionTable OptionsOf(DatasetSource& source, const char* formatKey)
   };
 }
 
+/** How silhouettes are taken from photographs. */
+OptionTable OptionsOf(SilhouetteOptions& silhouette)
+{
+  const char* const group = "Photographs";
+  return {
+    { "silhouetteLevel",
+      "difference from the background that is object; chosen from the photograph when not given",
+      "levels", group, &silhouette.Level, 0, ByteMost },
+    { "silhouetteClosing", "gaps of up to twice this are closed", "px", group,
+      &silhouette.ClosingPx, 0, 100 },
+    { "silhouetteSmallHole", "smaller holes are filled", "part of the object", group,
+      &silhouette.SmallHole, 0, 1 },
+    { "silhouetteIgnoreShadows", "leave out shadows cast on a coloured background", "", group,
+      &silhouette.IgnoreShadows },
+  };
+}
+
 OptionTable OptionsOf(JobInput& input)
 {
   const char* const group = "Photographs";
@@ -55,16 +72,8 @@ OptionTable OptionsOf(JobInput& input)
     { "exclude", "photographs to leave out", "", group, &input.Exclude },
     { "forceSilhouettes", "extract silhouettes although there are masks", "", group,
       &input.ForceSilhouettes },
-    { "silhouetteLevel",
-      "difference from the background that is object; chosen from the photograph when not given",
-      "levels", group, &input.Silhouette.Level, 0, ByteMost },
-    { "silhouetteClosing", "gaps of up to twice this are closed", "px", group,
-      &input.Silhouette.ClosingPx, 0, 100 },
-    { "silhouetteSmallHole", "smaller holes are filled", "part of the object", group,
-      &input.Silhouette.SmallHole, 0, 1 },
-    { "silhouetteIgnoreShadows", "leave out shadows cast on a coloured background", "", group,
-      &input.Silhouette.IgnoreShadows },
   };
+  Append(table, OptionsOf(input.Silhouette));
   Append(table, OptionsOf(input.Source, "format"));
   return table;
 }
@@ -316,6 +325,91 @@ OptionTable OptionsOf(ConvertOptions& options)
   Append(table, OptionsOf(options.Source, "from"));
   table.push_back(ThreadsOption(options.Threads));
   return table;
+}
+
+OptionTable OptionsOf(CheckOptions& options)
+{
+  OptionTable table = {
+    { "out", "folder for check.json and cameras.png; neither is written when not given", "",
+      "Check", &options.Out },
+  };
+  Append(table, OptionsOf(options.Input));
+  table.push_back(ThreadsOption(options.Threads));
+  return table;
+}
+
+CheckOptions MakeCheckOptions(const fs::path& dataset, const GivenOptions& given)
+{
+  CheckOptions options;
+  options.Input.Dataset = dataset;
+  const OptionTable table = OptionsOf(options);
+  for (const auto& [key, words] : given)
+  {
+    SetFromText(Find(table, key), words);
+  }
+  return options;
+}
+
+OptionTable OptionsOf(MaskOptions& options)
+{
+  const char* const mask = "Masks";
+  OptionTable table = {
+    { "out", "folder for mask/ and the contact sheet", "", mask, &options.Out },
+    { "inPlace", "write into the data set's own mask/ instead", "", mask, &options.InPlace },
+    { "overwrite", "replace masks that are there", "", mask, &options.Overwrite },
+    { "exclude", "photographs to leave out", "", mask, &options.Exclude },
+    { "method",
+      "alpha channel; plain or dark background; chroma key; GrabCut from a rough box; auto = alpha "
+      "channel or, without, plain",
+      "", mask, &options.Method, -NoLimit, NoLimit,
+      { "auto", "alpha", "plain", "dark", "chroma", "grabcut" } },
+    { "key", "background's colour R,G,B for chroma; found at the border when not given", "levels",
+      mask, &options.Key, 0, ByteMost },
+    { "box", "x0,y0,x1,y1 around the object in every photograph, for grabcut", "px", mask,
+      &options.Box, -NoLimit, NoLimit },
+    { "boxMargin", "the box leaves out this to every side when not given", "part of the frame",
+      mask, &options.BoxMargin, 0.01, 0.45 },
+    { "grabCutRounds", "rounds of GrabCut", "", mask, &options.GrabCutRounds, 1, 100 },
+  };
+  Append(table, OptionsOf(options.Silhouette));
+  Append(table, OptionsOf(options.Source, "format"));
+  table.push_back(ThreadsOption(options.Threads));
+  return table;
+}
+
+MaskOptions MakeMaskOptions(const fs::path& dataset, const GivenOptions& given)
+{
+  MaskOptions options;
+  options.Dataset = dataset;
+  const OptionTable table = OptionsOf(options);
+  for (const auto& [key, words] : given)
+  {
+    SetFromText(Find(table, key), words);
+  }
+  if (options.Out.empty() == !options.InPlace)
+  {
+    throw UsageError(options.InPlace ? "--in-place" : "--out",
+      options.InPlace ? "cannot be given with --out" : "no folder for the masks given");
+  }
+  const auto count = [](const std::vector<double>& values, std::size_t wanted, const char* flag)
+  {
+    if (!values.empty() && values.size() != wanted)
+    {
+      throw UsageError(flag, "has the wrong length", std::to_string(values.size()) + " numbers",
+        std::to_string(wanted));
+    }
+  };
+  count(options.Key, 3, "--key");
+  count(options.Box, 4, "--box");
+  if (!options.Key.empty() && options.Method != "chroma")
+  {
+    throw UsageError("--key", "is of no use without --method chroma");
+  }
+  if (!options.Box.empty() && options.Method != "grabcut")
+  {
+    throw UsageError("--box", "is of no use without --method grabcut");
+  }
+  return options;
 }
 
 ConvertOptions MakeConvertOptions(

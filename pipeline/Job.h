@@ -84,6 +84,32 @@ struct ConvertOptions
   int Threads = 0;
 };
 
+/** What is wrong with a data set: `novelview check`. */
+struct CheckOptions
+{
+  JobInput Input;
+  std::filesystem::path Out; ///< gets check.json and the picture of the cameras; empty = neither
+  int Threads = 0;
+};
+
+/** Silhouettes for the photographs of a folder: `novelview mask`. */
+struct MaskOptions
+{
+  std::filesystem::path Dataset;    ///< folder; without a calibration all its photographs are meant
+  DatasetSource Source;             ///< its calibration
+  std::vector<std::string> Exclude; ///< photographs to leave out
+  std::filesystem::path Out;        ///< gets mask/ and the contact sheet; empty with InPlace
+  bool InPlace = false;             ///< write into the data set's own mask/
+  bool Overwrite = false;           ///< replace masks that are there
+  std::string Method = "auto";      ///< auto, alpha, plain, dark, chroma or grabcut
+  std::vector<double> Key;          ///< chroma: the background's RGB, 0 to 255; empty = found
+  std::vector<double> Box;          ///< grabcut: x0 y0 x1 y1 around the object, px; empty = central
+  double BoxMargin = 0.1;           ///< of the central box to every side, part of the frame
+  int GrabCutRounds = 5;            ///< of GrabCut
+  SilhouetteOptions Silhouette;
+  int Threads = 0;
+};
+
 /** The tables: what the options are called, their help, units and ranges. */
 OptionTable OptionsOf(SynthesisOptions& options);
 OptionTable OptionsOf(Job& job);
@@ -91,6 +117,8 @@ OptionTable OptionsOf(RenderOptions& options);
 OptionTable OptionsOf(EvaluateOptions& options);
 OptionTable OptionsOf(GeneratorOptions& options);
 OptionTable OptionsOf(ConvertOptions& options);
+OptionTable OptionsOf(CheckOptions& options);
+OptionTable OptionsOf(MaskOptions& options);
 
 /** Words of a command line by the key of their option, in the order given. */
 using GivenOptions = std::vector<std::pair<std::string, std::vector<std::string>>>;
@@ -110,6 +138,12 @@ EvaluateOptions MakeEvaluateOptions(
 /** The options of a conversion; they come from the command line alone. Throws UsageError. */
 ConvertOptions MakeConvertOptions(const std::filesystem::path& dataset,
   const std::filesystem::path& out, const GivenOptions& given);
+
+/** The same for a check. */
+CheckOptions MakeCheckOptions(const std::filesystem::path& dataset, const GivenOptions& given);
+
+/** The same for masks; also throws UsageError when options contradict each other. */
+MaskOptions MakeMaskOptions(const std::filesystem::path& dataset, const GivenOptions& given);
 
 /**
  * Writes every option of the job that can change its result, so that running the file does the same

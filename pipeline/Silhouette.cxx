@@ -61,8 +61,11 @@ cv::Vec3d MeanAround(const std::vector<Pixel>& colours, const cv::Vec3d& around,
   return count > 0 ? sum / count : around;
 }
 
-/** The most frequent colour of the border: the fullest bin, then a few steps of mean shift. */
-cv::Vec3d BackgroundColour(const cv::Mat& photo, const cv::Mat& border)
+/**
+ * The most frequent colour of the border: the fullest bin, then a few steps of mean shift. Only
+ * colours with no channel at `limit` or above count.
+ */
+cv::Vec3d BackgroundColour(const cv::Mat& photo, const cv::Mat& border, int limit = 256)
 {
   constexpr int binLevels = 16;
   std::vector<Pixel> colours;
@@ -74,10 +77,19 @@ cv::Vec3d BackgroundColour(const cv::Mat& photo, const cv::Mat& border)
       if (border.at<std::uint8_t>(y, x))
       {
         const Pixel& colour = photo.at<Pixel>(y, x);
+        if (std::max({ colour[0], colour[1], colour[2] }) >= limit)
+        {
+          continue;
+        }
         colours.push_back(colour);
         ++bins[colour[0] / binLevels * 256 + colour[1] / binLevels * 16 + colour[2] / binLevels];
       }
     }
+  }
+  if (bins.empty())
+  {
+    throw Error("background", "nothing along the photograph's border is dark",
+      "no colour below " + std::to_string(limit), "a dark background");
   }
   const auto fullest = std::max_element(
     bins.begin(), bins.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
@@ -113,6 +125,46 @@ cv::Mat DifferenceFrom(const cv::Mat& photo, const cv::Vec3d& background, bool s
       const bool shadow = shadows && shade < 1 && shade > darkestShadow;
       difference.at<std::uint8_t>(y, x) = static_cast<std::uint8_t>(
         Difference(colour, shadow ? cv::Vec3d(background * shade) : background));
+    }
+  }
+  return difference;
+}
+
+/** Cb and Cr of JPEG, about 0. */
+cv::Vec2d ChromaOf(const cv::Vec3d& rgb)
+{
+  const double luma = 0.299 * rgb[0] + 0.587 * rgb[1] + 0.114 * rgb[2];
+  return { 0.564 * (rgb[2] - luma), 0.713 * (rgb[0] - luma) };
+}
+
+/**
+ * Difference from the key's hue, 8 bits: twice the distance in the chroma plane from the nearest of
+ * the key's shades, which are from a third of its chroma to a little more than all of it.
+ */
+cv::Mat ChromaDifferenceFrom(const cv::Mat& photo, const cv::Vec3d& key)
+{
+  constexpr double leastChroma = 20; // less is grey to a camera with noise and white balance
+  constexpr double darkestShade = 0.35;
+  constexpr double brightestShade = 1.15;
+  const cv::Vec2d chroma = ChromaOf(key);
+  const double size = std::sqrt(chroma.dot(chroma));
+  if (size < leastChroma)
+  {
+    throw Error("background", "its colour has no hue to tell the object by",
+      "chroma " + std::to_string(std::lround(size)),
+      "at least " + std::to_string(std::lround(leastChroma)));
+  }
+  cv::Mat difference(photo.size(), CV_8U);
+  for (int y = 0; y < photo.rows; ++y)
+  {
+    for (int x = 0; x < photo.cols; ++x)
+    {
+      const cv::Vec2d seen = ChromaOf(cv::Vec3d(photo.at<Pixel>(y, x)));
+      const double shade =
+        std::clamp(seen.dot(chroma) / chroma.dot(chroma), darkestShade, brightestShade);
+      const cv::Vec2d off = seen - shade * chroma;
+      difference.at<std::uint8_t>(y, x) =
+        cv::saturate_cast<std::uint8_t>(2 * std::sqrt(off.dot(off)));
     }
   }
   return difference;
@@ -454,8 +506,14 @@ Image<std::uint8_t> ExtractSilhouette(
 {
   const cv::Mat pixels = ToMat(photo);
   const cv::Mat border = BorderMask(pixels);
-  const cv::Vec3d background = BackgroundColour(pixels, border);
-  const cv::Mat difference = DifferenceFrom(pixels, background, options.IgnoreShadows);
+  constexpr int darkBackground = 64;
+  using Backdrop = SilhouetteOptions::Backdrop;
+  const bool chroma = options.Background == Backdrop::Chroma;
+  const cv::Vec3d background = chroma && options.Key
+    ? cv::Vec3d((*options.Key)[0], (*options.Key)[1], (*options.Key)[2])
+    : BackgroundColour(pixels, border, options.Background == Backdrop::Dark ? darkBackground : 256);
+  const cv::Mat difference = chroma ? ChromaDifferenceFrom(pixels, background)
+                                    : DifferenceFrom(pixels, background, options.IgnoreShadows);
   const Levels levels = ChooseLevels(difference, border, options.Level);
   cv::Mat mask = ObjectAt(difference, levels.Low, levels.High);
   mask = LargestComponent(Close(mask, options.ClosingPx));
@@ -470,8 +528,7 @@ Image<std::uint8_t> ExtractSilhouette(
     mask.setTo(0, reach == 0);
     // Shadowed parts vanish before a dark background only; before a bright one they stand out, and
     // what is faint there is the shadow that the object casts.
-    constexpr double darkBackground = 64;
-    if (std::max({ background[0], background[1], background[2] }) < darkBackground)
+    if (!chroma && std::max({ background[0], background[1], background[2] }) < darkBackground)
     {
       AddFaintParts(mask, pixels, border);
     }

@@ -8,6 +8,7 @@
 
 #include "ImageRef.h"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -28,6 +29,16 @@ struct SilhouetteOptions
   double SmallHole = 0.01;
   /** Take darker shades of a clearly coloured background for shadows the object casts on it. */
   bool IgnoreShadows = true;
+  /** What is known of the background. */
+  enum class Backdrop
+  {
+    Plain, ///< one colour, found along the border
+    Dark,  ///< dark (below 64 of 255), even where most of the border is object
+    Chroma ///< one clear hue; the object differs by its hue, whatever the light on either
+  };
+  Backdrop Background = Backdrop::Plain;
+  /** RGB of a Chroma background, 0 to 255; found along the border when not given. */
+  std::optional<std::array<double, 3>> Key;
 };
 
 /**
@@ -50,6 +61,10 @@ struct SilhouetteOptions
  *
  * Parts of the object no brighter than a dark background cannot be told from it; give masks then.
  * A photograph without any difference gives an empty silhouette.
+ *
+ * With a Chroma background the difference (2.) is that of the colours without their luma (the Cb and
+ * Cr of JPEG, times two) from the nearest shade of the key. Throws Error when the key has no hue, or
+ * when nothing along the border is dark with a Dark background.
  */
 Image<std::uint8_t> ExtractSilhouette(
   const ImageRef<const std::uint8_t>& photo, const SilhouetteOptions& options = {});

@@ -25,6 +25,8 @@ struct Outcome
   std::optional<RenderOptions> Rendered;
   std::optional<EvaluateOptions> Evaluated;
   std::optional<ConvertOptions> Converted;
+  std::optional<CheckOptions> Checked;
+  std::optional<MaskOptions> Masked;
 };
 
 /** Runs a command line in this process, with commands that only note what they were given. */
@@ -52,6 +54,12 @@ Outcome Parse(std::vector<const char*> words, const std::function<void()>& inRun
   { outcome.Evaluated = options; };
   commands.Convert = [&outcome](const ConvertOptions& options, Console&)
   { outcome.Converted = options; };
+  commands.Check = [&outcome](const CheckOptions& options, Console&)
+  {
+    outcome.Checked = options;
+    return options.Input.Exclude.empty(); // something that can be either
+  };
+  commands.Mask = [&outcome](const MaskOptions& options, Console&) { outcome.Masked = options; };
   words.insert(words.begin(), "novelview");
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
@@ -267,4 +275,29 @@ TEST(Program, InterruptStopsItOrderly)
   const int status = std::system(command.c_str());
   EXPECT_EQ(WEXITSTATUS(status), 130);
   EXPECT_EQ(ReadText(err), "novelview: error: interrupted\n");
+}
+
+TEST(CommandLine, CheckSaysProblemsByItsExitCode)
+{
+  Outcome outcome = Parse({ "check", "d", "--out", "o", "--axes", "opengl" });
+  EXPECT_EQ(outcome.Code, 0) << outcome.Err;
+  ASSERT_TRUE(outcome.Checked);
+  EXPECT_EQ(outcome.Checked->Input.Dataset, "d");
+  EXPECT_EQ(outcome.Checked->Out, "o");
+  EXPECT_EQ(outcome.Checked->Input.Source.Convention.Axes, "opengl");
+  outcome = Parse({ "check", "d", "--exclude", "a.png,b.png" });
+  EXPECT_EQ(outcome.Code, 3);
+  EXPECT_EQ(outcome.Checked->Input.Exclude, (std::vector<std::string>{ "a.png", "b.png" }));
+}
+
+TEST(CommandLine, MaskIsGivenItsOptions)
+{
+  const Outcome outcome = Parse({ "mask", "d", "--out", "o", "--method", "chroma", "--key",
+    "0,200,40", "--silhouette-closing", "3" });
+  EXPECT_EQ(outcome.Code, 0) << outcome.Err;
+  ASSERT_TRUE(outcome.Masked);
+  EXPECT_EQ(outcome.Masked->Method, "chroma");
+  EXPECT_EQ(outcome.Masked->Key, (std::vector<double>{ 0, 200, 40 }));
+  EXPECT_EQ(outcome.Masked->Silhouette.ClosingPx, 3);
+  EXPECT_FALSE(outcome.Masked->InPlace);
 }
