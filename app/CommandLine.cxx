@@ -51,6 +51,7 @@ struct Parsed
   OptionParser Generate;
   OptionParser Run;
   OptionParser Render;
+  OptionParser Orbit;
   OptionParser Evaluate;
   OptionParser Convert;
   OptionParser Check;
@@ -138,7 +139,7 @@ template <class Options>
 void AddOnDataset(CLI::App& command, Parsed& parsed, OptionParser& parser)
 {
   Options defaults;
-  defaults.Synthesis = PresetOptions(defaults.Synthesis.Preset);
+  defaults.Synthesis = DefaultsOf<Options>(defaults.Synthesis.Preset);
   AddDataset(command, parsed);
   parser.AddTo(command, Without(OptionsOf(defaults), "dataset"));
 }
@@ -160,6 +161,12 @@ void AddCommands(CLI::App& app, Parsed& parsed, const Commands& commands)
     AddOnDataset<RenderOptions>(
       *AddCommand(app, "render", "make many novel views from one hull and crust", parsed), parsed,
       parsed.Render);
+  }
+  if (commands.Orbit)
+  {
+    AddOnDataset<OrbitOptions>(
+      *AddCommand(app, "orbit", "make a film of the object from a moving camera", parsed), parsed,
+      parsed.Orbit);
   }
   if (commands.Evaluate)
   {
@@ -186,6 +193,11 @@ void AddCommands(CLI::App& app, Parsed& parsed, const Commands& commands)
 int Dispatch(const CLI::App& app, const Parsed& parsed, const Commands& commands, Console& console)
 {
   const std::string command = app.get_subcommands().front()->get_name();
+  if (commands.Processes > 1 && command != "render" && command != "orbit" && command != "evaluate")
+  {
+    throw UsageError(command, "cannot be shared between processes",
+      std::to_string(commands.Processes) + " processes", "1, or render, orbit or evaluate");
+  }
   if (command == "generate")
   {
     GeneratorOptions options;
@@ -207,9 +219,11 @@ int Dispatch(const CLI::App& app, const Parsed& parsed, const Commands& commands
   }
   else if (command == "render")
   {
-    const RenderOptions options = MakeRenderOptions(parsed.Dataset, parsed.Render.Given());
-    LimitThreads(options.Threads);
-    commands.Render(options, console);
+    commands.Render(MakeRenderOptions(parsed.Dataset, parsed.Render.Given()), console);
+  }
+  else if (command == "orbit")
+  {
+    commands.Orbit(MakeOrbitOptions(parsed.Dataset, parsed.Orbit.Given()), console);
   }
   else if (command == "convert")
   {
@@ -232,9 +246,7 @@ int Dispatch(const CLI::App& app, const Parsed& parsed, const Commands& commands
   }
   else
   {
-    const EvaluateOptions options = MakeEvaluateOptions(parsed.Dataset, parsed.Evaluate.Given());
-    LimitThreads(options.Threads);
-    commands.Evaluate(options, console);
+    commands.Evaluate(MakeEvaluateOptions(parsed.Dataset, parsed.Evaluate.Given()), console);
   }
   return ExitCode::Ok;
 }
@@ -288,18 +300,30 @@ int RunCommandLine(int argc, const char* const* argv, const Commands& commands)
   {
     if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))
     {
-      app.exit(error); // --help and --version
+      if (commands.Rank == 0)
+      {
+        app.exit(error); // --help and --version
+      }
       return ExitCode::Ok;
     }
-    Console(Verbosity::Normal)
+    Console(commands.Rank == 0 ? Verbosity::Normal : Verbosity::Silent)
       .Error(Explanation(app, error, argc, argv) + " (--help tells the options)");
     return ExitCode::Usage;
   }
-  Console console(parsed.Common.Level());
+  Console console(commands.Rank == 0 ? parsed.Common.Level() : Verbosity::Silent);
+  const auto failed = [&](const std::exception& error, int code)
+  {
+    console.Error(error.what());
+    if (commands.Failed)
+    {
+      commands.Failed(error.what());
+    }
+    return code;
+  };
   try
   {
     const int code = Dispatch(app, parsed, commands, console);
-    if (!parsed.Common.Timings.empty())
+    if (!parsed.Common.Timings.empty() && commands.Rank == 0)
     {
       WriteTextAtomically(parsed.Common.Timings, console.TimingsText());
     }
@@ -312,13 +336,11 @@ int RunCommandLine(int argc, const char* const* argv, const Commands& commands)
   }
   catch (const UsageError& error)
   {
-    console.Error(error.what());
-    return ExitCode::Usage;
+    return failed(error, ExitCode::Usage);
   }
   catch (const std::exception& error)
   {
-    console.Error(error.what());
-    return ExitCode::Failed;
+    return failed(error, ExitCode::Failed);
   }
 }
 }

@@ -17,10 +17,17 @@ struct Commands
   std::function<void(const GeneratorOptions&, const std::filesystem::path& out, Console&)> Generate;
   std::function<void(const Job&, Console&)> Run;
   std::function<void(const RenderOptions&, Console&)> Render;
+  std::function<void(const OrbitOptions&, Console&)> Orbit;
   std::function<void(const EvaluateOptions&, Console&)> Evaluate;
   std::function<void(const ConvertOptions&, Console&)> Convert;
   std::function<bool(const CheckOptions&, Console&)> Check; ///< whether there are no problems
   std::function<void(const MaskOptions&, Console&)> Mask;
+
+  // ---- of several processes, all of which parse the same words
+  int Rank = 0;      ///< only 0 tells the user anything
+  int Processes = 1; ///< with more, commands that cannot be shared are an error
+  /** Hears in the other processes why a command failed, which the first tells the user. */
+  std::function<void(const std::string& error)> Failed;
 };
 
 /** Exit codes of the program. */

@@ -42,10 +42,12 @@ Console::Console(Verbosity verbosity, std::FILE* out, std::FILE* err)
   : Out(LinesTo(out, "%v"))
   , Err(LinesTo(err, "novelview: %l: %v"))
 {
-  this->Out->set_level(verbosity == Verbosity::Quiet
+  this->Err->set_level(
+    verbosity == Verbosity::Silent ? spdlog::level::off : spdlog::level::trace);
+  this->Out->set_level(verbosity <= Verbosity::Quiet
       ? spdlog::level::off
       : (verbosity == Verbosity::Verbose ? spdlog::level::debug : spdlog::level::info));
-  if (verbosity != Verbosity::Quiet && ::isatty(::fileno(out)))
+  if (verbosity > Verbosity::Quiet && ::isatty(::fileno(out)))
   {
     this->Terminal = out;
   }

@@ -16,6 +16,7 @@ namespace novelview
 {
 enum class Verbosity
 {
+  Silent, ///< nothing: another process tells the same
   Quiet,  ///< warnings and errors
   Normal, ///< and progress, stages, results
   Verbose ///< and details

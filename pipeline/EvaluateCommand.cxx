@@ -10,7 +10,7 @@
 #include "ImageFile.h"
 #include "ObjectMesh.h"
 #include "RunReport.h"
-#include "Threads.h"
+#include "SharedWork.h"
 #include "ViewAccess.h"
 
 #include <Eigen/Core>
@@ -19,6 +19,8 @@
 #include <vtkVersion.h>
 
 #include <algorithm>
+#include <array>
+#include <memory>
 #include <optional>
 
 namespace novelview
@@ -47,6 +49,10 @@ nlohmann::ordered_json VersionsJson()
       std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + "." +
         std::to_string(EIGEN_MINOR_VERSION) } };
 }
+
+/** Every number of Scores, so that they can be sent. */
+constexpr std::array ScoreNumbers = { &Scores::Rms, &Scores::Psnr, &Scores::Ssim, &Scores::Iou,
+  &Scores::Missing, &Scores::Excess };
 
 /** The views without those of these names; blocks are shared. */
 vtkSmartPointer<vtkMultiBlockDataSet> Without(
@@ -91,10 +97,12 @@ vtkSmartPointer<vtkImageData> Blackened(vtkImageData* picture)
 class Evaluation
 {
 public:
-  Evaluation(const EvaluateOptions& options, const DatasetIndex& index, Console& console)
+  Evaluation(const EvaluateOptions& options, const DatasetIndex& index, Console& console,
+    ProcessGroup& processes)
     : Options(options)
     , Index(index)
     , Con(console)
+    , Work(console, processes, options.Threads)
     , Plan(MakeEvaluationPlan(options, index))
     , Title(fs::absolute(index.Folder).lexically_normal().filename().string() + ", " +
         this->Plan.Mode + ", preset " + options.Synthesis.Preset)
@@ -105,72 +113,122 @@ public:
     }
   }
 
+  /** Whether this process writes the files. */
+  bool Writes() const { return this->Work.Writes(); }
+
   void Run()
   {
     if (!this->Plan.TrueMesh.empty())
     {
       this->TrueMesh = LoadObject(this->Plan.TrueMesh.string());
     }
-    if (this->Options.Pictures)
-    {
-      std::size_t rows = 0;
-      for (const PlannedSet& set : this->Plan.Sets)
-      {
-        rows += set.Views.size();
-      }
-      const Camera& first = this->Plan.Sets.front().Views.front().View.Cam;
-      this->Sheet.emplace(this->Title, StageName(this->Options.UpTo), rows,
-        static_cast<double>(first.Width) / first.Height);
-    }
-    // With one set what it holds out is not even read; several sets share what is read once.
-    const bool alone = this->Plan.Sets.size() == 1;
-    const Dataset dataset = ReadInput(this->Options.Input, this->Index,
-      alone ? this->Plan.Sets.front().HeldOut : std::vector<std::string>(), this->Con);
     for (const PlannedSet& set : this->Plan.Sets)
     {
-      const auto references = Without(dataset.Views, set.HeldOut);
-      Synthesis synthesis(references, this->Options.Synthesis, ListenerFor(this->Con));
       for (const PlannedView& view : set.Views)
       {
-        this->Predict(view, set.References, synthesis);
+        this->Items.push_back({ &set, &view });
       }
     }
-    this->Finish();
+    if (this->Options.Pictures && this->Writes())
+    {
+      const Camera& first = this->Plan.Sets.front().Views.front().View.Cam;
+      this->Sheet.emplace(this->Title, StageName(this->Options.UpTo), this->Items.size(),
+        static_cast<double>(first.Width) / first.Height);
+    }
+    this->ReadViews();
+    this->Work.ForEach(
+      this->Items.size(), [this](std::size_t item) { return this->Predict(this->Items[item]); },
+      [this](std::size_t item, const WorkResult& result)
+      { this->Keep(this->Items[item], result); });
+    if (this->Writes())
+    {
+      this->Finish();
+    }
   }
 
 private:
-  /** Predicts and scores a view; errors name it. */
-  void Predict(const PlannedView& planned, std::size_t references, Synthesis& synthesis)
+  /** A view to predict and the set it is of. */
+  struct Item
   {
-    if (Console::Interrupted())
+    const PlannedSet* Set;
+    const PlannedView* View;
+  };
+
+  void ReadViews()
+  {
+    // With one set what it holds out is not even read; several sets share what is read once.
+    const bool alone = this->Plan.Sets.size() == 1;
+    Dataset dataset;
+    if (this->Writes())
     {
-      throw Interrupted();
+      dataset = ReadInput(this->Options.Input, this->Index,
+        alone ? this->Plan.Sets.front().HeldOut : std::vector<std::string>(), this->Con);
     }
-    this->Con.Info("view " + planned.Name);
+    if (!alone)
+    {
+      this->References = this->Work.Share(dataset.Views);
+      return;
+    }
+    const PlannedSet& set = this->Plan.Sets.front();
+    this->Current = &set;
+    const auto references = this->Writes() ? Without(dataset.Views, set.HeldOut) : nullptr;
+    this->Made = this->Work.Prepare(references, this->Options.Synthesis);
+  }
+
+  /** The synthesis of a set of references, with its own hull; the last one's is kept. */
+  Synthesis& MadeFrom(const PlannedSet& set)
+  {
+    if (this->Current != &set)
+    {
+      this->Current = &set;
+      this->Made.reset();
+      this->Made = std::make_unique<Synthesis>(
+        Without(this->References, set.HeldOut), this->Options.Synthesis, this->Work.Listener());
+    }
+    return *this->Made;
+  }
+
+  /**
+   * Predicts and scores a view; errors name it. Numbers are the scores of every stage (ScoreNumbers
+   * each); images are those of the stages and, last, the truth, where they are needed.
+   */
+  WorkResult Predict(const Item& item)
+  {
+    this->Con.Info("view " + item.View->Name);
     try
     {
-      const ResolvedView& view = planned.View;
+      const ResolvedView& view = item.View->View;
       ValidateCamera(view.Cam, "novel camera");
-      const auto truth =
-        ReadTruth(view.Truth, this->Options.Input.Silhouette, view.Cam);
-      const std::vector<NovelView> stages = synthesis.RenderStages(view.Cam, this->Options.UpTo);
-      EvaluatedView& scored = this->Views.emplace_back();
-      scored.Name = planned.Name;
-      scored.References = references;
-      for (std::size_t i = 0; i < stages.size(); ++i)
+      const auto truth = ReadTruth(view.Truth, this->Options.Input.Silhouette, view.Cam);
+      Synthesis& synthesis = this->MadeFrom(*item.Set);
+      std::vector<vtkSmartPointer<vtkImageData>> images;
+      for (const NovelView& stage : synthesis.RenderStages(view.Cam, this->Options.UpTo))
       {
-        this->AddStage(scored, StageName(static_cast<Stage>(i)), stages[i].Image, truth);
+        images.push_back(stage.Image);
       }
       if (this->TrueMesh)
       {
-        this->AddStage(scored, "oracle", synthesis.Texture(this->TrueMesh, view.Cam), truth);
+        images.push_back(synthesis.Texture(this->TrueMesh, view.Cam));
       }
-      if (this->Sheet)
+      WorkResult result;
+      for (vtkImageData* image : images)
       {
-        const auto shown = Blackened(truth);
-        this->Sheet->AddRow({ planned.Name, shown, stages.front().Image, stages.back().Image,
-          scored.Stages.front().second.Rms, scored.Stages[stages.size() - 1].second.Rms });
+        const Scores scores =
+          Compare(MaskedPictureOf(image, "novel view"), MaskedPictureOf(truth, "truth"));
+        for (double Scores::*number : ScoreNumbers)
+        {
+          result.Numbers.push_back(scores.*number);
+        }
+        if (this->Options.Pictures)
+        {
+          result.Images.push_back(PictureOnly(image));
+        }
       }
+      if (this->Options.Pictures)
+      {
+        result.Images.push_back(Blackened(truth));
+      }
+      return result;
     }
     catch (const Interrupted&)
     {
@@ -178,19 +236,37 @@ private:
     }
     catch (const Error& error)
     {
-      throw Error("view " + planned.Name, error.what());
+      throw Error("view " + item.View->Name, error.what());
     }
   }
 
-  void AddStage(
-    EvaluatedView& view, const std::string& stage, vtkImageData* image, vtkImageData* truth) const
+  /** In the first process: keeps the scores of a view and writes its pictures. */
+  void Keep(const Item& item, const WorkResult& result)
   {
-    view.Stages.emplace_back(
-      stage, Compare(MaskedPictureOf(image, "novel view"), MaskedPictureOf(truth, "truth")));
-    if (this->Options.Pictures)
+    EvaluatedView& view = this->Views.emplace_back();
+    view.Name = item.View->Name;
+    view.References = item.Set->References;
+    const std::size_t novel = static_cast<std::size_t>(this->Options.UpTo) + 1;
+    for (std::size_t i = 0; i < result.Numbers.size() / ScoreNumbers.size(); ++i)
     {
-      const fs::path name = fs::path(view.Name).replace_extension("." + stage + ".png");
-      WriteArray(this->Options.Out / name, image, arrays::Color);
+      const std::string stage = i < novel ? StageName(static_cast<Stage>(i)) : "oracle";
+      Scores scores;
+      for (std::size_t n = 0; n < ScoreNumbers.size(); ++n)
+      {
+        scores.*ScoreNumbers[n] = result.Numbers[i * ScoreNumbers.size() + n];
+      }
+      view.Stages.emplace_back(stage, scores);
+      if (this->Options.Pictures)
+      {
+        const fs::path name = fs::path(view.Name).replace_extension("." + stage + ".png");
+        WriteArray(this->Options.Out / name, result.Images[i], arrays::Color);
+      }
+    }
+    if (this->Sheet)
+    {
+      this->Sheet->AddRow(
+        { view.Name, result.Images.back(), result.Images.front(), result.Images[novel - 1],
+          view.Stages.front().second.Rms, view.Stages[novel - 1].second.Rms });
     }
   }
 
@@ -238,20 +314,27 @@ private:
   const EvaluateOptions& Options;
   const DatasetIndex& Index;
   Console& Con;
+  SharedWork Work;
   const EvaluationPlan Plan;
   const std::string Title;
   vtkSmartPointer<vtkPolyData> TrueMesh;
   std::optional<Overview> Sheet;
   std::vector<EvaluatedView> Views;
+  std::vector<Item> Items;
+  vtkSmartPointer<vtkMultiBlockDataSet> References; ///< of several sets, all photographs
+  const PlannedSet* Current = nullptr;              ///< the set of Made
+  std::unique_ptr<Synthesis> Made;
 };
 }
 
-void EvaluateDataset(const EvaluateOptions& options, Console& console)
+void EvaluateDataset(const EvaluateOptions& options, Console& console, ProcessGroup& processes)
 {
-  SetNumberOfThreads(options.Threads);
   const DatasetIndex index = FindInput(options.Input);
-  Evaluation evaluation(options, index, console);
-  PrepareFolder(options.Out);
+  Evaluation evaluation(options, index, console, processes);
+  if (evaluation.Writes())
+  {
+    PrepareFolder(options.Out);
+  }
   evaluation.Run();
 }
 }

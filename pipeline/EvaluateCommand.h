@@ -4,12 +4,14 @@
 
 #include "Console.h"
 #include "Job.h"
+#include "ProcessGroup.h"
 
 namespace novelview
 {
 /**
  * `novelview evaluate`: views that no stage has seen are predicted and compared with their
- * photographs. Hull, crust and depth maps are made once per set of references. options.Out gets
+ * photographs. Hull, crust and depth maps are made once per set of references; views are shared out
+ * between the processes. options.Out gets
  *
  *     scores.csv       view,stage,rms,psnr,ssim,iou,missing,excess
  *     scores.json      protocol, scores, means, gap closure, options, versions
@@ -19,7 +21,7 @@ namespace novelview
  * Scores are written last, so a folder with scores.json is complete. Throws Error, naming the view,
  * and Interrupted when the console asks for a stop.
  */
-void EvaluateDataset(const EvaluateOptions& options, Console& console);
+void EvaluateDataset(const EvaluateOptions& options, Console& console, ProcessGroup& processes);
 }
 
 #endif

@@ -113,10 +113,11 @@ const Option& Find(const OptionTable& table, const std::string& key)
 }
 
 /** Sets the stage options to a preset's, if there is a preset of this name. */
-void ApplyPreset(SynthesisOptions& options, const std::string& preset)
+template <class Options>
+void ApplyPreset(Options& options, const std::string& preset)
 {
-  SetFromText(Find(OptionsOf(options), "preset"), { preset });
-  options = PresetOptions(preset);
+  SetFromText(Find(OptionsOf(options.Synthesis), "preset"), { preset });
+  options.Synthesis = DefaultsOf<Options>(preset);
 }
 
 /** Layers preset, job file and command line; see MakeJob(). */
@@ -125,7 +126,7 @@ Options Layered(const fs::path& dataset, const GivenOptions& given)
 {
   Options options;
   const OptionTable table = OptionsOf(options);
-  ApplyPreset(options.Synthesis, options.Synthesis.Preset);
+  ApplyPreset(options, std::string(options.Synthesis.Preset));
   std::error_code failure;
   if (fs::is_regular_file(dataset, failure))
   {
@@ -134,7 +135,7 @@ Options Layered(const fs::path& dataset, const GivenOptions& given)
     {
       const OptionTable preset{ Find(table, "preset") };
       SetFromJson(preset, { { "preset", object["preset"] } }, {}, dataset.string());
-      ApplyPreset(options.Synthesis, std::string(options.Synthesis.Preset));
+      ApplyPreset(options, std::string(options.Synthesis.Preset));
     }
     SetFromJson(table, object, fs::absolute(dataset).parent_path(), dataset.string());
   }
@@ -146,7 +147,7 @@ Options Layered(const fs::path& dataset, const GivenOptions& given)
   {
     if (key == "preset" && words.size() == 1)
     {
-      ApplyPreset(options.Synthesis, words.front());
+      ApplyPreset(options, words.front());
     }
   }
   for (const auto& [key, words] : given)
@@ -217,6 +218,8 @@ OptionTable OptionsOf(SynthesisOptions& options)
       &options.ExposureGains },
     { "rimSamples", "sub-rays per pixel side at the rim, odd; 1 = no antialiasing", "", texture,
       &options.RimSamples, 1, 9 },
+    { "softRim", "draw also pixels of which less than half is covered; for films", "", texture,
+      &options.SoftRim },
   };
 }
 
@@ -243,6 +246,23 @@ OptionTable OptionsOf(RenderOptions& options)
   OptionTable table = {
     { "cameras", "calibration file of the views to make", "", "Render", &options.Cameras },
     { "out", "folder for the pictures NAME and mask/NAME", "", "Render", &options.Out },
+  };
+  return WithMethod(std::move(table), options);
+}
+
+OptionTable OptionsOf(OrbitOptions& options)
+{
+  const char* const orbit = "Orbit";
+  OptionTable table = {
+    { "out", "video (mp4, mov, mkv, avi), or folder for the frames as pictures", "", orbit,
+      &options.Out },
+    { "path", "JSON file of key cameras to go through; else once round the cameras' ring", "",
+      orbit, &options.Path },
+    { "frames", "frames; 0 = as many as the path's frame numbers or times say, else 72", "", orbit,
+      &options.Frames, 0, 1000000 },
+    { "fps", "frames per second", "1/s", orbit, &options.Fps, 0.1, 1000 },
+    { "framesDir", "folder that gets the frames as pictures, too, with their cameras", "", orbit,
+      &options.FramesDir },
   };
   return WithMethod(std::move(table), options);
 }
@@ -453,6 +473,11 @@ RenderOptions MakeRenderOptions(const fs::path& dataset, const GivenOptions& giv
     throw UsageError("--cameras", "no calibration file of the views given");
   }
   return options;
+}
+
+OrbitOptions MakeOrbitOptions(const fs::path& dataset, const GivenOptions& given)
+{
+  return Layered<OrbitOptions>(dataset, given);
 }
 
 EvaluateOptions MakeEvaluateOptions(const fs::path& dataset, const GivenOptions& given)

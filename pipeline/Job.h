@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/** What a run of the program does: everything that `novelview run`, `render` and `evaluate` can be told. */
+/** What a run of the program does: all that `novelview run`, `render`, `orbit` .. can be told. */
 #ifndef novelview_Job_h
 #define novelview_Job_h
 
@@ -12,6 +12,7 @@
 
 #include <filesystem>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace novelview
@@ -48,6 +49,20 @@ struct RenderOptions
   JobInput Input;
   std::filesystem::path Cameras; ///< calibration file of the views to make
   std::filesystem::path Out;     ///< gets NAME and mask/NAME of each
+  Stage UpTo = Stage::Full;
+  int Threads = 0;
+  SynthesisOptions Synthesis;
+};
+
+/** A film of the object from a moving camera: `novelview orbit`. */
+struct OrbitOptions
+{
+  JobInput Input;
+  std::filesystem::path Out;       ///< a video, or a folder for the frames
+  std::filesystem::path Path;      ///< key cameras, see FramePlan.h; empty = round the cameras' ring
+  int Frames = 0;                  ///< 0 = what the path says, else 72
+  double Fps = 24;                 ///< frames per second
+  std::filesystem::path FramesDir; ///< also gets the frames as pictures; empty = none
   Stage UpTo = Stage::Full;
   int Threads = 0;
   SynthesisOptions Synthesis;
@@ -110,11 +125,28 @@ struct MaskOptions
   int Threads = 0;
 };
 
+/**
+ * The stage options that a command starts from: a preset's. A film's are softer at the rim, where
+ * else the contour would jump from pixel to pixel.
+ */
+template <class Options>
+SynthesisOptions DefaultsOf(const std::string& preset)
+{
+  SynthesisOptions options = PresetOptions(preset);
+  if constexpr (std::is_same_v<Options, OrbitOptions>)
+  {
+    options.SoftRim = true;
+    options.RimSamples = 5;
+  }
+  return options;
+}
+
 /** The tables: what the options are called, their help, units and ranges. */
 OptionTable OptionsOf(SynthesisOptions& options);
 OptionTable OptionsOf(Job& job);
 OptionTable OptionsOf(RenderOptions& options);
 OptionTable OptionsOf(EvaluateOptions& options);
+OptionTable OptionsOf(OrbitOptions& options);
 OptionTable OptionsOf(GeneratorOptions& options);
 OptionTable OptionsOf(ConvertOptions& options);
 OptionTable OptionsOf(CheckOptions& options);
@@ -132,6 +164,7 @@ using GivenOptions = std::vector<std::pair<std::string, std::vector<std::string>
  */
 Job MakeJob(const std::filesystem::path& dataset, const GivenOptions& given);
 RenderOptions MakeRenderOptions(const std::filesystem::path& dataset, const GivenOptions& given);
+OrbitOptions MakeOrbitOptions(const std::filesystem::path& dataset, const GivenOptions& given);
 EvaluateOptions MakeEvaluateOptions(
   const std::filesystem::path& dataset, const GivenOptions& given);
 

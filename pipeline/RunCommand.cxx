@@ -7,6 +7,7 @@
 #include "Metrics.h"
 #include "ObjectMesh.h"
 #include "RunReport.h"
+#include "SharedWork.h"
 #include "Threads.h"
 #include "ViewAccess.h"
 
@@ -120,31 +121,42 @@ void RunJob(const Job& job, Console& console)
   console.Summary();
 }
 
-void RenderJob(const RenderOptions& options, Console& console)
+void RenderJob(const RenderOptions& options, Console& console, ProcessGroup& processes)
 {
-  SetNumberOfThreads(options.Threads);
+  SharedWork work(console, processes, options.Threads);
   const DatasetIndex index = FindInput(options.Input);
   const std::vector<Photograph> cameras = ReadViewCameras(options.Cameras);
-  PrepareFolder(options.Out);
-  const Dataset dataset = ReadInput(options.Input, index, {}, console);
-  Synthesis synthesis(dataset.Views, options.Synthesis, ListenerFor(console));
-  for (const Photograph& camera : cameras)
+  Dataset dataset;
+  if (work.Writes())
+  {
+    PrepareFolder(options.Out);
+    dataset = ReadInput(options.Input, index, {}, console);
+  }
+  const auto synthesis = work.Prepare(dataset.Views, options.Synthesis);
+  const auto make = [&](std::size_t item)
   {
     ViewSpec spec;
     spec.What = ViewSpec::Kind::File;
     spec.ParFile = options.Cameras;
-    spec.Name = camera.Name;
+    spec.Name = cameras[item].Name;
     const ResolvedView view = ResolveViewSpec(spec, index);
-    ValidateCamera(view.Cam, camera.Name);
-    const NovelView novel = synthesis.Render(view.Cam, options.UpTo);
+    ValidateCamera(view.Cam, spec.Name);
+    WorkResult result;
+    result.Images.push_back(PictureOnly(synthesis->Render(view.Cam, options.UpTo).Image));
+    return result;
+  };
+  const auto take = [&](std::size_t item, const WorkResult& result)
+  {
+    const std::string& name = cameras[item].Name;
     console.RunTimed("report",
       [&]
       {
-        WriteArray(options.Out / camera.Name, novel.Image, arrays::Color);
-        WriteArray(options.Out / "mask" / camera.Name, novel.Image, arrays::Mask);
+        WriteArray(options.Out / name, result.Images.front(), arrays::Color);
+        WriteArray(options.Out / "mask" / name, result.Images.front(), arrays::Mask);
       });
-    console.Info((options.Out / camera.Name).string());
-  }
+    console.Info((options.Out / name).string());
+  };
+  work.ForEach(cameras.size(), make, take);
   console.Summary();
 }
 }

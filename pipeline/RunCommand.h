@@ -4,6 +4,7 @@
 
 #include "Console.h"
 #include "Job.h"
+#include "ProcessGroup.h"
 
 namespace novelview
 {
@@ -13,8 +14,11 @@ namespace novelview
  */
 void RunJob(const Job& job, Console& console);
 
-/** `novelview render`: many views from one hull and crust, into options.Out. Throws the same. */
-void RenderJob(const RenderOptions& options, Console& console);
+/**
+ * `novelview render`: many views from one hull and crust, into options.Out; shared out between the
+ * processes. Throws the same.
+ */
+void RenderJob(const RenderOptions& options, Console& console, ProcessGroup& processes);
 }
 
 #endif

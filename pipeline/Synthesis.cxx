@@ -79,6 +79,22 @@ public:
     }
   }
 
+  Internals(
+    const ViewIndependent& prepared, const SynthesisOptions& options, SynthesisListener listener)
+    : Options(options)
+    , Listener(std::move(listener))
+    , Filters(prepared.Views, options)
+    , Kept(prepared)
+  {
+    this->UseKept();
+  }
+
+  ViewIndependent Prepared()
+  {
+    this->Prepare();
+    return this->Kept ? *this->Kept : this->Results();
+  }
+
   /** The hull at least; with a cache, all that does not depend on the novel camera. */
   vtkPolyData* Hull()
   {
@@ -367,7 +383,18 @@ Synthesis::Synthesis(
 {
 }
 
+Synthesis::Synthesis(
+  const ViewIndependent& prepared, const SynthesisOptions& options, SynthesisListener listener)
+  : Own(std::make_unique<Internals>(prepared, options, std::move(listener)))
+{
+}
+
 Synthesis::~Synthesis() = default;
+
+ViewIndependent Synthesis::Prepared()
+{
+  return this->Own->Prepared();
+}
 
 vtkPolyData* Synthesis::Hull()
 {

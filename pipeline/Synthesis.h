@@ -19,6 +19,8 @@
 
 namespace novelview
 {
+struct ViewIndependent;
+
 /** How far the geometry is refined before it is textured. */
 enum class Stage
 {
@@ -67,6 +69,7 @@ struct SynthesisOptions
   double OcclusionSoftness = 0; ///< pixel footprints; 0 = hard
   bool ExposureGains = false;   ///< bring the photographs to one exposure; needs depth maps
   int RimSamples = 1;           ///< sub-rays per pixel side at the rim; 1 = no antialiasing
+  bool SoftRim = false; ///< also draw pixels of which less than half is covered; for films
 };
 
 /** The defaults of a preset; throws Error on an unknown name. */
@@ -115,7 +118,13 @@ class Synthesis
 public:
   Synthesis(
     vtkMultiBlockDataSet* views, const SynthesisOptions& options, SynthesisListener listener = {});
+  /** From what another one has Prepared(), in this process or another. It knows no hull. */
+  Synthesis(const ViewIndependent& prepared, const SynthesisOptions& options,
+    SynthesisListener listener = {});
   ~Synthesis();
+
+  /** Runs every stage that does not depend on the novel camera, and gives what they made. */
+  ViewIndependent Prepared();
 
   vtkPolyData* Hull();  ///< points with normals
   vtkPolyData* Crust(); ///< closed mesh on the hull's points

@@ -70,6 +70,7 @@ void SynthesisStages::SetMapperOptions(const SynthesisOptions& options)
   this->Mapper->SetFeatherWidth(options.FeatherPx);
   this->Mapper->SetOcclusionSoftness(options.OcclusionSoftness);
   this->Mapper->SetRimSamples(options.RimSamples);
+  this->Mapper->SetSoftRim(options.SoftRim);
   this->Mapper->SetReferences(options.References);
   this->Mapper->SetPower(options.Power);
 }

@@ -100,6 +100,7 @@ int vtkViewDependentTextureMapper::RequestData(
       options.UseDepthMaps = this->UseDepthMaps;
       options.UseGains = this->UseExposureGains;
       options.RimSamples = this->RimSamples | 1;
+      options.SoftRim = this->SoftRim;
       const novelview::TexturedView result = novelview::TextureView(mesh,
         occluders ? &*occluders : nullptr, views, camera, options, novelview::ExecutionFor(this));
 
@@ -126,4 +127,5 @@ void vtkViewDependentTextureMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "UseDepthMaps: " << this->UseDepthMaps << "\n";
   os << indent << "UseExposureGains: " << this->UseExposureGains << "\n";
   os << indent << "RimSamples: " << this->RimSamples << "\n";
+  os << indent << "SoftRim: " << this->SoftRim << "\n";
 }

@@ -19,7 +19,7 @@
  *  - in 2 (optional): vtkPolyData, triangles that also stand between photographs and mesh, such as
  *    those a vtkVisibilityCuller removed.
  *  - out 0: vtkImageData of the camera's size (bottom-up rows) with point arrays
- *      `Color` (uint8 x 3), black outside the mask;
+ *      `Color` (uint8 x 3), black outside the mask (but see SoftRim);
  *      `Mask` (uint8, 255 = object);
  *      `Depth` (float, world units, 0 outside);
  *      `CellId` (int, triangle of the mesh, -1 outside);
@@ -28,7 +28,7 @@
  *
  * Differs from the paper: photographs that do not see V are left out; the weight falls towards the
  * silhouette's border (FeatherWidth); rim pixels are antialiased against black (RimSamples; 1 is
- * the paper's); occlusion may be soft and tested against the views' own depth maps
+ * the paper's, as is SoftRim off); occlusion may be soft and tested against the views' own depth maps
  * (OcclusionSoftness, UseDepthMaps; off is the paper's); photographs of different exposure are
  * brought to their mean (UseExposureGains; off is the paper's).
  *
@@ -111,6 +111,17 @@ public:
   vtkGetMacro(RimSamples, int);
   ///@}
 
+  ///@{
+  /**
+   * Give pixels of which less than half is covered their share of colour, although they are not of
+   * the `Mask`: in a film the contour then moves instead of jumping. Needs RimSamples above 1.
+   * Default off.
+   */
+  vtkSetMacro(SoftRim, bool);
+  vtkGetMacro(SoftRim, bool);
+  vtkBooleanMacro(SoftRim, bool);
+  ///@}
+
   vtkMTimeType GetMTime() override;
 
 protected:
@@ -130,6 +141,7 @@ protected:
   bool UseDepthMaps = false;
   bool UseExposureGains = false;
   int RimSamples = 1;
+  bool SoftRim = false;
 
 private:
   vtkViewDependentTextureMapper(const vtkViewDependentTextureMapper&) = delete;

@@ -24,6 +24,7 @@ struct Outcome
   std::optional<Job> Ran;
   std::optional<RenderOptions> Rendered;
   std::optional<EvaluateOptions> Evaluated;
+  std::optional<OrbitOptions> Filmed;
   std::optional<ConvertOptions> Converted;
   std::optional<CheckOptions> Checked;
   std::optional<MaskOptions> Masked;
@@ -52,6 +53,8 @@ Outcome Parse(std::vector<const char*> words, const std::function<void()>& inRun
   { outcome.Rendered = options; };
   commands.Evaluate = [&outcome](const EvaluateOptions& options, Console&)
   { outcome.Evaluated = options; };
+  commands.Orbit = [&outcome](const OrbitOptions& options, Console&)
+  { outcome.Filmed = options; };
   commands.Convert = [&outcome](const ConvertOptions& options, Console&)
   { outcome.Converted = options; };
   commands.Check = [&outcome](const CheckOptions& options, Console&)
@@ -143,6 +146,27 @@ TEST(CommandLine, EvaluateIsGivenItsOptions)
   EXPECT_EQ(outcome.Evaluated->TrueMesh, "t.ply");
   EXPECT_EQ(outcome.Evaluated->Synthesis.References, PresetOptions("paper").References);
   EXPECT_TRUE(outcome.Evaluated->Synthesis.UseDepthMaps);
+}
+
+TEST(CommandLine, OrbitStartsFromAFilmsDefaults)
+{
+  const Outcome outcome = Parse({ "orbit", "bunny", "--out", "film.mp4", "--path", "keys.json",
+    "--frames", "30", "--fps", "25", "--frames-dir", "pictures", "--preset", "paper" });
+  ASSERT_TRUE(outcome.Filmed) << outcome.Err;
+  EXPECT_EQ(outcome.Filmed->Out, "film.mp4");
+  EXPECT_EQ(outcome.Filmed->Path, "keys.json");
+  EXPECT_EQ(outcome.Filmed->Frames, 30);
+  EXPECT_EQ(outcome.Filmed->Fps, 25);
+  EXPECT_EQ(outcome.Filmed->FramesDir, "pictures");
+  EXPECT_EQ(outcome.Filmed->Synthesis.Power, PresetOptions("paper").Power);
+  EXPECT_TRUE(outcome.Filmed->Synthesis.SoftRim);
+  EXPECT_EQ(outcome.Filmed->Synthesis.RimSamples, 5);
+  const Outcome told =
+    Parse({ "orbit", "bunny", "--out", "film", "--no-soft-rim", "--rim-samples", "1" });
+  ASSERT_TRUE(told.Filmed) << told.Err;
+  EXPECT_FALSE(told.Filmed->Synthesis.SoftRim);
+  EXPECT_EQ(told.Filmed->Synthesis.RimSamples, 1);
+  EXPECT_FALSE(PresetOptions("best").SoftRim); // a single view's picture stays as it is
 }
 
 TEST(CommandLine, ConvertIsGivenItsOptions)

@@ -264,6 +264,36 @@ TEST(TextureMapping, RimPixelsAreWeighedByTheirCoverage)
   EXPECT_EQ(picture.Color(100, 60, 0), 200);
 }
 
+TEST(TextureMapping, ASoftRimKeepsWhatIsCoveredByLessThanHalf)
+{
+  // The plate of the test before, whose right edge covers one of five sub-columns of column 130.
+  const Camera novel = OnRing(0);
+  TriangleMesh mesh = RectangleMesh(1, 0.3);
+  for (Vector3d& point : mesh.Points)
+  {
+    point.x() = ((point.x() < 0 ? 28.9 : 129.7) - 79.5) / 100;
+  }
+  const auto photos = TakeAll(Rectangle(2, 2), Plain(200, 200, 200), { OnRing(0), OnRing(20) });
+  TextureOptions options;
+  options.RimSamples = 5;
+  const auto hard = TextureView(mesh, nullptr, ViewsOf(photos), novel, options);
+  options.SoftRim = true;
+  const auto soft = TextureView(mesh, nullptr, ViewsOf(photos), novel, options);
+  EXPECT_EQ(hard.Color(130, 60, 0), 0);
+  EXPECT_EQ(soft.Color(130, 60, 0), 40); // one fifth of 200
+  EXPECT_EQ(soft.Mask.Values, hard.Mask.Values);
+  EXPECT_EQ(soft.Depth.Values, hard.Depth.Values);
+  EXPECT_EQ(soft.CellId.Values, hard.CellId.Values);
+  EXPECT_EQ(soft.Seen.Values, hard.Seen.Values);
+  for (std::size_t i = 0; i < hard.Mask.Values.size(); ++i)
+  {
+    if (hard.Mask.Values[i])
+    {
+      ASSERT_EQ(soft.Color.Values[3 * i], hard.Color.Values[3 * i]) << i;
+    }
+  }
+}
+
 TEST(TextureMapping, SameBitsWithOneAndMoreThreads)
 {
   const PlateCase plate;

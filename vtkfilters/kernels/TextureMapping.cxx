@@ -376,6 +376,9 @@ TexturedView TextureView(const TriangleMesh& mesh, const TriangleMesh* occluders
   result.CellId = Image<int>(width, height, 1, -1);
   result.Seen = Image<std::uint8_t>(width, height);
   Image<float> color(width, height, 3);
+  // Where there is something to draw: the mask and, with a soft rim, what is covered by less.
+  Image<std::uint8_t> drawn(width, height);
+  Image<std::uint8_t> seen(width, height);
   execution.ForEachWith(
     height, [&] { return Blender(references, camera, options); },
     [&](Blender& blender, std::int64_t row)
@@ -383,17 +386,23 @@ TexturedView TextureView(const TriangleMesh& mesh, const TriangleMesh* occluders
       const int y = static_cast<int>(row);
       for (int x = 0; x < width; ++x)
       {
-        if (buffer.Coverage(x, y) < 0.5f)
+        const float coverage = buffer.Coverage(x, y);
+        if (coverage < 0.5f && !(options.SoftRim && coverage > 0))
         {
           continue;
         }
         const Vector3d point =
           camera.Unproject(Vector2d(x, y) + buffer.Offset(x, y), buffer.Front.Depth(x, y));
         double rgb[3];
-        result.Mask(x, y) = 255;
-        result.Depth(x, y) = buffer.Front.Depth(x, y);
-        result.CellId(x, y) = buffer.Front.CellId(x, y);
-        result.Seen(x, y) = blender.Blend(point, rgb);
+        drawn(x, y) = 255;
+        seen(x, y) = blender.Blend(point, rgb);
+        if (coverage >= 0.5f)
+        {
+          result.Mask(x, y) = 255;
+          result.Depth(x, y) = buffer.Front.Depth(x, y);
+          result.CellId(x, y) = buffer.Front.CellId(x, y);
+          result.Seen(x, y) = seen(x, y);
+        }
         for (int channel = 0; channel < 3; ++channel)
         {
           color(x, y, channel) = static_cast<float>(rgb[channel]);
@@ -401,13 +410,13 @@ TexturedView TextureView(const TriangleMesh& mesh, const TriangleMesh* occluders
       }
     });
   execution.Report(0.9);
-  FillUnseen(color, result.Mask, result.Seen);
+  FillUnseen(color, drawn, std::move(seen));
   execution.ForEach(height,
     [&](std::int64_t y)
     {
       for (int x = 0; x < width; ++x)
       {
-        for (int channel = 0; channel < 3 && result.Mask(x, y); ++channel)
+        for (int channel = 0; channel < 3 && drawn(x, y); ++channel)
         {
           const float value = color(x, y, channel) * buffer.Coverage(x, y);
           result.Color(x, y, channel) =

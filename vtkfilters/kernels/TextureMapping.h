@@ -39,12 +39,18 @@ struct TextureOptions
   bool UseGains = false;
   /** Sub-rays per pixel side that decide a rim pixel's coverage, odd; 1 = no antialiasing. */
   int RimSamples = 1;
+  /**
+   * Draw also the pixels of which less than half is covered, so that a contour that moves by less
+   * than a pixel changes the picture by little; Mask, Depth, CellId and Seen remain without them.
+   */
+  bool SoftRim = false;
 };
 
 /** The novel picture and what is known about each of its pixels; rows from the top. */
 struct TexturedView
 {
-  Image<std::uint8_t> Color; ///< RGB, black where Mask is 0; multiplied by the coverage at the rim
+  Image<std::uint8_t> Color; ///< RGB, black where Mask is 0 (but see SoftRim); multiplied by the
+                             ///< coverage at the rim
   Image<std::uint8_t> Mask;  ///< 255 = object
   Image<float> Depth;        ///< z of the surface point, 0 where Mask is 0
   Image<int> CellId;         ///< triangle of the mesh, -1 where Mask is 0

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "VideoFile.h"
+
+#include "Error.h"
+#include "StderrSilence.h"
+
+#include <opencv2/imgproc.hpp>
+#include <opencv2/videoio.hpp>
+
+#include <map>
+#include <sched.h>
+#include <vector>
+
+namespace novelview
+{
+namespace fs = std::filesystem;
+
+namespace
+{
+/** The codecs that are tried for a file of each kind, the best known by players first. */
+const std::map<std::string, std::vector<std::string>>& CodecsByExtension()
+{
+  static const std::map<std::string, std::vector<std::string>> codecs = {
+    { ".avi", { "MJPG" } },
+    { ".mkv", { "H264", "mp4v" } },
+    { ".mov", { "avc1", "mp4v" } },
+    { ".mp4", { "avc1", "mp4v" } },
+  };
+  return codecs;
+}
+
+/**
+ * While one of these lives the thread, and those it starts, keep to one processor. An encoder asks
+ * how many there are when it is opened, and writes another file with every number.
+ */
+class OneProcessor
+{
+public:
+  OneProcessor()
+  {
+    this->Known = ::sched_getaffinity(0, sizeof(this->Before), &this->Before) == 0;
+    cpu_set_t one;
+    CPU_ZERO(&one);
+    for (int cpu = 0; this->Known && cpu < CPU_SETSIZE; ++cpu)
+    {
+      if (CPU_ISSET(cpu, &this->Before))
+      {
+        CPU_SET(cpu, &one);
+        ::sched_setaffinity(0, sizeof(one), &one);
+        break;
+      }
+    }
+  }
+  ~OneProcessor()
+  {
+    if (this->Known)
+    {
+      ::sched_setaffinity(0, sizeof(this->Before), &this->Before);
+    }
+  }
+  OneProcessor(const OneProcessor&) = delete;
+  OneProcessor& operator=(const OneProcessor&) = delete;
+
+private:
+  cpu_set_t Before{};
+  bool Known = false;
+};
+}
+
+class VideoFile::Internals
+{
+public:
+  fs::path Path;
+  cv::Size Size;
+  cv::VideoWriter Writer;
+  cv::Mat Padded;
+  long Frames = 0;
+};
+
+bool IsVideoName(const fs::path& path)
+{
+  return CodecsByExtension().count(path.extension().string()) > 0;
+}
+
+std::string VideoExtensions()
+{
+  std::string text;
+  for (const auto& [extension, codecs] : CodecsByExtension())
+  {
+    text += (text.empty() ? "" : ", ") + extension;
+  }
+  return text;
+}
+
+VideoFile::VideoFile(const fs::path& path, int width, int height, double fps)
+  : Own(std::make_unique<Internals>())
+{
+  this->Own->Path = path;
+  this->Own->Size = cv::Size(width, height);
+  this->Own->Padded = cv::Mat::zeros(height + height % 2, width + width % 2, CV_8UC3);
+  const StderrSilence silence; // of libraries that tell which codecs they have not
+  const OneProcessor one;
+  std::string tried;
+  const auto codecs = CodecsByExtension().find(path.extension().string());
+  for (const std::string& codec :
+    codecs == CodecsByExtension().end() ? std::vector<std::string>() : codecs->second)
+  {
+    tried += (tried.empty() ? "" : ", ") + codec;
+    const int fourcc = cv::VideoWriter::fourcc(codec[0], codec[1], codec[2], codec[3]);
+    try
+    {
+      if (this->Own->Writer.open(path.string(), fourcc, fps, this->Own->Padded.size()))
+      {
+        return;
+      }
+    }
+    catch (const cv::Exception&)
+    {
+      continue; // the message below says it
+    }
+  }
+  throw Error(path.filename().string(), "no such video can be written: OpenCV has no codec for it",
+    tried.empty() ? "none to try" : "tried " + tried,
+    "another of " + VideoExtensions() + ", or a folder for single pictures");
+}
+
+VideoFile::~VideoFile() = default;
+
+void VideoFile::Add(const ImageRef<const std::uint8_t>& frame)
+{
+  if (cv::Size(frame.Width, frame.Height) != this->Own->Size || frame.Channels != 3)
+  {
+    throw Error("frame " + std::to_string(this->Own->Frames), "is not of the video's size");
+  }
+  for (int y = 0; y < frame.Height; ++y)
+  {
+    auto* row = this->Own->Padded.ptr<std::uint8_t>(y);
+    for (int x = 0; x < frame.Width; ++x)
+    {
+      for (int channel = 0; channel < 3; ++channel)
+      {
+        row[3 * x + channel] = frame(x, y, 2 - channel);
+      }
+    }
+  }
+  this->Own->Writer.write(this->Own->Padded);
+  ++this->Own->Frames;
+}
+
+bool VideoFile::Close()
+{
+  const StderrSilence silence;
+  this->Own->Writer.release();
+  // OpenCV does not say when it could not write, e.g. on a full disk.
+  cv::VideoCapture written(this->Own->Path.string());
+  long frames = 0;
+  while (written.isOpened() && written.grab())
+  {
+    ++frames;
+  }
+  return frames == this->Own->Frames;
+}
+}
