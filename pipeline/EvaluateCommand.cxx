@@ -13,10 +13,7 @@
 #include "Threads.h"
 #include "ViewAccess.h"
 
-#include <Eigen/Core>
 #include <nlohmann/json.hpp>
-#include <opencv2/core/version.hpp>
-#include <vtkVersion.h>
 
 #include <algorithm>
 #include <optional>
@@ -37,16 +34,6 @@ const char* const Protocol =
   "are "
   "arithmetic, over the views. Oracle = the same texture mapping on the true mesh; gap closure = "
   "(hull - full) / (hull - oracle) of the means.";
-
-/** Of the programs and libraries that the numbers depend on. */
-nlohmann::ordered_json VersionsJson()
-{
-  return { { "novelview", NOVELVIEW_VERSION }, { "vtk", vtkVersion::GetVTKVersion() },
-    { "opencv", CV_VERSION },
-    { "eigen",
-      std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + "." +
-        std::to_string(EIGEN_MINOR_VERSION) } };
-}
 
 /** The views without those of these names; blocks are shared. */
 vtkSmartPointer<vtkMultiBlockDataSet> Without(
@@ -151,8 +138,7 @@ private:
     {
       const ResolvedView& view = planned.View;
       ValidateCamera(view.Cam, "novel camera");
-      const auto truth =
-        ReadTruth(view.Truth, this->Options.Input.Silhouette, view.Cam);
+      const auto truth = ReadTruth(view.Truth, this->Options.Input.Silhouette, view.Cam);
       const std::vector<NovelView> stages = synthesis.RenderStages(view.Cam, this->Options.UpTo);
       EvaluatedView& scored = this->Views.emplace_back();
       scored.Name = planned.Name;

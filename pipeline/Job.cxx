@@ -225,6 +225,8 @@ OptionTable OptionsOf(Job& job)
       &job.WriteIterations },
     { "screenshots", "write a picture of the scene for every iteration, too", "", run,
       &job.Screenshots },
+    { "report", "write report.html, a page with everything about the run, and rig.png", "", run,
+      &job.Page },
   };
   return WithMethod(std::move(table), job);
 }

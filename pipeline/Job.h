@@ -38,6 +38,7 @@ struct Job
   Stage UpTo = Stage::Full;
   bool WriteIterations = true; ///< novel view, mesh and scores of every iteration
   bool Screenshots = true;     ///< and a picture of the scene
+  bool Page = true;            ///< report.html and the picture of the rig
   int Threads = 0;             ///< 0 = one per core
   SynthesisOptions Synthesis;
 };
