@@ -51,6 +51,7 @@ struct Parsed
   OptionParser Generate;
   OptionParser Run;
   OptionParser Render;
+  OptionParser Mesh;
   OptionParser Evaluate;
   OptionParser Convert;
 };
@@ -136,6 +137,12 @@ void AddCommands(CLI::App& app, Parsed& parsed, const Commands& commands)
       *AddCommand(app, "render", "make many novel views from one hull and crust", parsed), parsed,
       parsed.Render);
   }
+  if (commands.Mesh)
+  {
+    AddOnDataset<MeshOptions>(
+      *AddCommand(app, "mesh", "make a textured mesh of the whole object", parsed), parsed,
+      parsed.Mesh);
+  }
   if (commands.Evaluate)
   {
     AddOnDataset<EvaluateOptions>(
@@ -176,6 +183,12 @@ void Dispatch(const CLI::App& app, const Parsed& parsed, const Commands& command
     const RenderOptions options = MakeRenderOptions(parsed.Dataset, parsed.Render.Given());
     LimitThreads(options.Threads);
     commands.Render(options, console);
+  }
+  else if (command == "mesh")
+  {
+    const MeshOptions options = MakeMeshOptions(parsed.Dataset, parsed.Mesh.Given());
+    LimitThreads(options.Threads);
+    commands.Mesh(options, console);
   }
   else if (command == "convert")
   {

@@ -17,6 +17,7 @@ struct Commands
   std::function<void(const GeneratorOptions&, const std::filesystem::path& out, Console&)> Generate;
   std::function<void(const Job&, Console&)> Run;
   std::function<void(const RenderOptions&, Console&)> Render;
+  std::function<void(const MeshOptions&, Console&)> Mesh;
   std::function<void(const EvaluateOptions&, Console&)> Evaluate;
   std::function<void(const ConvertOptions&, Console&)> Convert;
 };

@@ -2,6 +2,7 @@
 #include "CommandLine.h"
 #include "ConvertCommand.h"
 #include "EvaluateCommand.h"
+#include "MeshCommand.h"
 #include "RunCommand.h"
 
 #include <csignal>
@@ -34,6 +35,7 @@ int main(int argc, char** argv)
   commands.Generate = Generate;
   commands.Run = RunJob;
   commands.Render = RenderJob;
+  commands.Mesh = MakeMesh;
   commands.Evaluate = EvaluateDataset;
   commands.Convert = ConvertDataset;
   return RunCommandLine(argc, argv, commands);

@@ -4,6 +4,7 @@
 #include "AtomicFile.h"
 #include "CommandSupport.h"
 #include "Error.h"
+#include "EvaluationPage.h"
 #include "EvaluationPictures.h"
 #include "EvaluationPlan.h"
 #include "EvaluationScores.h"
@@ -74,6 +75,9 @@ vtkSmartPointer<vtkImageData> Blackened(vtkImageData* picture)
   return result;
 }
 
+/** With pictures of more views a page would be larger than browsers like. */
+constexpr std::size_t MostShots = 24;
+
 /** One evaluation: what is made of the plan, and what is left in the folder. */
 class Evaluation
 {
@@ -122,7 +126,7 @@ public:
         this->Predict(view, set.References, synthesis);
       }
     }
-    this->Finish();
+    this->Finish(dataset.Views);
   }
 
 private:
@@ -147,9 +151,24 @@ private:
       {
         this->AddStage(scored, StageName(static_cast<Stage>(i)), stages[i].Image, truth);
       }
+      vtkSmartPointer<vtkImageData> oracle;
       if (this->TrueMesh)
       {
-        this->AddStage(scored, "oracle", synthesis.Texture(this->TrueMesh, view.Cam), truth);
+        oracle = synthesis.Texture(this->TrueMesh, view.Cam);
+        this->AddStage(scored, "oracle", oracle, truth);
+      }
+      if (this->Options.Page && this->Options.Pictures && this->Shots.size() < MostShots)
+      {
+        std::vector<std::pair<std::string, vtkImageData*>> shown;
+        for (std::size_t i = 0; i < stages.size(); ++i)
+        {
+          shown.emplace_back(StageName(static_cast<Stage>(i)), stages[i].Image);
+        }
+        if (oracle)
+        {
+          shown.emplace_back("oracle", oracle);
+        }
+        this->Shots.push_back(ShotsOf(planned.Name, shown, truth));
       }
       if (this->Sheet)
       {
@@ -180,7 +199,7 @@ private:
     }
   }
 
-  void Finish()
+  void Finish(vtkMultiBlockDataSet* photographs)
   {
     const fs::path& out = this->Options.Out;
     DrawEvaluationChart(this->Title, this->Views, out / "chart.png");
@@ -189,7 +208,17 @@ private:
       this->Sheet->Write(out / "overview.png");
     }
     WriteTextAtomically(out / "scores.csv", ScoresCsv(this->Views));
-    WriteTextAtomically(out / "scores.json", this->SummaryText());
+    const nlohmann::ordered_json summary = this->Summary();
+    if (this->Options.Page)
+    {
+      const EvaluationPageInput input{ this->Title, summary,
+        nlohmann::ordered_json::parse(this->Con.TimingsText()) };
+      WriteTextAtomically(
+        out / "report.html", EvaluationPageHtml(input, this->Views, this->Shots, photographs));
+    }
+    // File names may hold bytes that are no UTF-8.
+    WriteTextAtomically(out / "scores.json",
+      summary.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
     for (const std::string& line : ScoreTable(this->Views))
     {
       this->Con.Info(line);
@@ -207,7 +236,7 @@ private:
     this->Con.Summary();
   }
 
-  std::string SummaryText() const
+  nlohmann::ordered_json Summary() const
   {
     nlohmann::ordered_json summary;
     summary["protocol"] = Protocol;
@@ -217,8 +246,7 @@ private:
     used.TrueMesh = this->Plan.TrueMesh;
     summary["options"] = ToJson(OptionsOf(used), used.Out);
     summary["versions"] = VersionsJson();
-    // File names may hold bytes that are no UTF-8.
-    return summary.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+    return summary;
   }
 
   const EvaluateOptions& Options;
@@ -229,6 +257,7 @@ private:
   vtkSmartPointer<vtkPolyData> TrueMesh;
   std::optional<Overview> Sheet;
   std::vector<EvaluatedView> Views;
+  std::vector<EvaluationShots> Shots;
 };
 }
 

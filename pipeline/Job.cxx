@@ -3,6 +3,7 @@
 
 #include "AtomicFile.h"
 #include "DatasetFormats.h"
+#include "ModelFile.h"
 #include "UsageError.h"
 
 #include <algorithm>
@@ -74,6 +75,11 @@ Option ThreadsOption(int& threads)
   // The result is the same with any number, so a written job does not hold it.
   return { "threads", "threads to use; 0 = one per core", "", "Program", &threads, 0, 1024, {},
     false };
+}
+
+Option TextureSizeOption(int& size, const char* group)
+{
+  return { "textureSize", "largest side of a mesh's texture", "px", group, &size, 64, 16384 };
 }
 
 Option StageOption(Stage& upTo)
@@ -150,7 +156,7 @@ Options Layered(const fs::path& dataset, const GivenOptions& given)
   }
   if (options.Out.empty())
   {
-    throw UsageError("--out", "no folder for the results given");
+    throw UsageError("--out", "no place for the results given");
   }
   return options;
 }
@@ -227,6 +233,9 @@ OptionTable OptionsOf(Job& job)
       &job.Screenshots },
     { "report", "write report.html, a page with everything about the run, and rig.png", "", run,
       &job.Page },
+    { "meshOut", "also write the view's mesh with its texture: " + ModelFileKinds(), "", run,
+      &job.MeshOut },
+    TextureSizeOption(job.TextureSizePx, run),
   };
   return WithMethod(std::move(table), job);
 }
@@ -236,6 +245,16 @@ OptionTable OptionsOf(RenderOptions& options)
   OptionTable table = {
     { "cameras", "calibration file of the views to make", "", "Render", &options.Cameras },
     { "out", "folder for the pictures NAME and mask/NAME", "", "Render", &options.Out },
+  };
+  return WithMethod(std::move(table), options);
+}
+
+OptionTable OptionsOf(MeshOptions& options)
+{
+  const char* const mesh = "Mesh";
+  OptionTable table = {
+    { "out", "files for the mesh: " + ModelFileKinds(), "", mesh, &options.Out },
+    TextureSizeOption(options.TextureSizePx, mesh),
   };
   return WithMethod(std::move(table), options);
 }
@@ -256,6 +275,8 @@ OptionTable OptionsOf(EvaluateOptions& options)
       evaluate, &options.TrueMesh },
     { "pictures", "write the picture of every view and stage, and an overview", "", evaluate,
       &options.Pictures },
+    { "report", "write report.html, a page with everything about the evaluation", "", evaluate,
+      &options.Page },
   };
   return WithMethod(std::move(table), options);
 }
@@ -350,6 +371,7 @@ Job MakeJob(const fs::path& dataset, const GivenOptions& given)
   {
     throw UsageError("--truth-mask", "is of no use without --truth");
   }
+  CheckModelFiles(job.MeshOut, "--mesh-out");
   return job;
 }
 
@@ -360,6 +382,13 @@ RenderOptions MakeRenderOptions(const fs::path& dataset, const GivenOptions& giv
   {
     throw UsageError("--cameras", "no calibration file of the views given");
   }
+  return options;
+}
+
+MeshOptions MakeMeshOptions(const fs::path& dataset, const GivenOptions& given)
+{
+  MeshOptions options = Layered<MeshOptions>(dataset, given);
+  CheckModelFiles(options.Out, "--out");
   return options;
 }
 

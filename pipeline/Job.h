@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/** What a run of the program does: everything that `novelview run`, `render` and `evaluate` can be told. */
+/** What a run of the program does: everything that `novelview run`, `render`, `mesh` and `evaluate` can be told. */
 #ifndef novelview_Job_h
 #define novelview_Job_h
 
@@ -36,10 +36,12 @@ struct Job
   std::filesystem::path TruthMask; ///< its silhouette; empty = what lies in mask/ beside it
   std::filesystem::path TrueMesh;  ///< for the oracle; empty = none
   Stage UpTo = Stage::Full;
-  bool WriteIterations = true; ///< novel view, mesh and scores of every iteration
-  bool Screenshots = true;     ///< and a picture of the scene
-  bool Page = true;            ///< report.html and the picture of the rig
-  int Threads = 0;             ///< 0 = one per core
+  bool WriteIterations = true;                ///< novel view, mesh and scores of every iteration
+  bool Screenshots = true;                    ///< and a picture of the scene
+  bool Page = true;                           ///< report.html and the picture of the rig
+  std::vector<std::filesystem::path> MeshOut; ///< files of the view's mesh, see ModelFile.h
+  int TextureSizePx = 4096;                   ///< of the mesh's texture, at most
+  int Threads = 0;                            ///< 0 = one per core
   SynthesisOptions Synthesis;
 };
 
@@ -50,6 +52,17 @@ struct RenderOptions
   std::filesystem::path Cameras; ///< calibration file of the views to make
   std::filesystem::path Out;     ///< gets NAME and mask/NAME of each
   Stage UpTo = Stage::Full;
+  int Threads = 0;
+  SynthesisOptions Synthesis;
+};
+
+/** The whole object as a mesh with the photographs' colours: `novelview mesh`. */
+struct MeshOptions
+{
+  JobInput Input;
+  std::vector<std::filesystem::path> Out; ///< files, see ModelFile.h
+  Stage UpTo = Stage::Full;               ///< Hull: the power crust; else refined by depth maps
+  int TextureSizePx = 4096;               ///< of the texture, at most
   int Threads = 0;
   SynthesisOptions Synthesis;
 };
@@ -68,6 +81,7 @@ struct EvaluateOptions
   bool LeaveOneOut = false;         ///< each photograph is predicted from all others
   std::filesystem::path TrueMesh;   ///< for the oracle; empty = the test views' truth.ply, if any
   bool Pictures = true;             ///< write the views' pictures and the overview
+  bool Page = true;                 ///< write report.html
   Stage UpTo = Stage::Full;
   int Threads = 0;
   SynthesisOptions Synthesis;
@@ -89,6 +103,7 @@ struct ConvertOptions
 OptionTable OptionsOf(SynthesisOptions& options);
 OptionTable OptionsOf(Job& job);
 OptionTable OptionsOf(RenderOptions& options);
+OptionTable OptionsOf(MeshOptions& options);
 OptionTable OptionsOf(EvaluateOptions& options);
 OptionTable OptionsOf(GeneratorOptions& options);
 OptionTable OptionsOf(ConvertOptions& options);
@@ -105,6 +120,7 @@ using GivenOptions = std::vector<std::pair<std::string, std::vector<std::string>
  */
 Job MakeJob(const std::filesystem::path& dataset, const GivenOptions& given);
 RenderOptions MakeRenderOptions(const std::filesystem::path& dataset, const GivenOptions& given);
+MeshOptions MakeMeshOptions(const std::filesystem::path& dataset, const GivenOptions& given);
 EvaluateOptions MakeEvaluateOptions(
   const std::filesystem::path& dataset, const GivenOptions& given);
 

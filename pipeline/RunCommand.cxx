@@ -5,6 +5,7 @@
 #include "CommandSupport.h"
 #include "Error.h"
 #include "ImageFile.h"
+#include "MeshCommand.h"
 #include "Metrics.h"
 #include "ObjectMesh.h"
 #include "ReportPictures.h"
@@ -155,6 +156,11 @@ void RunJob(const Job& job, Console& console)
   if (trueMesh)
   {
     oracle.Image = synthesis.Texture(trueMesh, view.Cam);
+  }
+  if (!job.MeshOut.empty())
+  {
+    WriteModelFiles(ToTriangleMesh(stages.back().Mesh, "mesh"), synthesis.Photographs(),
+      job.Synthesis, job.TextureSizePx, job.MeshOut, console);
   }
   console.RunTimed("report",
     [&]

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "TextureMapping.h"
 
+#include "PhotoBlender.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,18 +14,8 @@ namespace
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr float NoDepth = std::numeric_limits<float>::infinity();
-
-/** A reference photograph and what it sees of the model. */
-struct Reference
-{
-  const View* Photo;
-  Vector3d Centre;
-  Image<float> ModelDepth;     ///< empty when the photograph's own depth map is used
-  ImageRef<const float> Depth; ///< 0 or infinity = nothing there
-};
-
-std::vector<Reference> MakeReferences(const TriangleMesh& mesh, const TriangleMesh* occluders,
+/** The references that may colour something in the camera's picture. */
+std::vector<BlendReference> ReferencesFor(const TriangleMesh& mesh, const TriangleMesh* occluders,
   const std::vector<View>& views, const Camera& camera, const TextureOptions& options,
   const Execution& execution)
 {
@@ -37,136 +29,10 @@ std::vector<Reference> MakeReferences(const TriangleMesh& mesh, const TriangleMe
       scene.Triangles.push_back(t + shift);
     }
   }
-  std::vector<Reference> references;
-  references.reserve(views.size());
-  for (const View& view : views)
-  {
-    // More than a right angle off, a photograph shows the other side.
-    if (view.Cam.OpticalAxis().dot(camera.OpticalAxis()) <= 0)
-    {
-      continue;
-    }
-    Reference& reference = references.emplace_back();
-    reference.Photo = &view;
-    reference.Centre = view.Cam.Centre();
-    if (options.UseDepthMaps && !view.DepthMap.Empty())
-    {
-      reference.Depth = view.DepthMap;
-    }
-    else
-    {
-      reference.ModelDepth = Rasterise(scene, view.Cam, execution).Depth;
-      reference.Depth = static_cast<const Image<float>&>(reference.ModelDepth).Ref();
-    }
-  }
-  return references;
+  // More than a right angle off, a photograph shows the other side.
+  const Vector3d axis = camera.OpticalAxis();
+  return MakeBlendReferences(scene, views, &axis, options, execution);
 }
-
-/** How visible a point at depth z that projects to u is in a reference: 0 to 1. */
-double Visibility(
-  const Reference& reference, const Vector2d& u, double z, const TextureOptions& options)
-{
-  const double behind = DepthBehind(reference.Depth, u, z) / reference.Photo->Cam.PixelFootprint(z);
-  if (options.OcclusionPx <= 0)
-  {
-    return behind <= 1.5 ? 1 : 0;
-  }
-  const double ratio = std::max(behind, 0.0) / options.OcclusionPx;
-  return std::exp(-ratio * ratio);
-}
-
-/** Everything the colour of one pixel needs; one per thread, so that no pixel allocates. */
-class Blender
-{
-public:
-  Blender(
-    const std::vector<Reference>& references, const Camera& camera, const TextureOptions& options)
-    : References(references)
-    , Centre(camera.Centre())
-    , Options(options)
-  {
-  }
-
-  /** Blends the colour of a surface point; false when no reference sees it. */
-  bool Blend(const Vector3d& point, double rgb[3])
-  {
-    this->SortByAngle(point);
-    double total = 0;
-    int used = 0;
-    rgb[0] = rgb[1] = rgb[2] = 0;
-    for (const auto& [cosine, reference] : this->Nearest)
-    {
-      Vector2d u;
-      const double weight =
-        std::pow(cosine, this->Options.Power) * this->Share(*reference, point, u);
-      if (weight <= 1e-6)
-      {
-        continue;
-      }
-      const double gain = this->Options.UseGains ? reference->Photo->Gain : 1;
-      total += weight;
-      for (int channel = 0; channel < 3; ++channel)
-      {
-        rgb[channel] +=
-          weight / gain * SampleBilinear(reference->Photo->Color, u.x(), u.y(), channel);
-      }
-      if (++used == this->Options.References)
-      {
-        break;
-      }
-    }
-    for (int channel = 0; channel < 3 && total > 0; ++channel)
-    {
-      rgb[channel] /= total;
-    }
-    return total > 0;
-  }
-
-private:
-  /** Those that look at the point from the novel camera's side, the nearest first. */
-  void SortByAngle(const Vector3d& point)
-  {
-    this->Nearest.clear();
-    const Vector3d novelRay = (point - this->Centre).normalized();
-    for (const Reference& reference : this->References)
-    {
-      const Vector3d ray = point - reference.Centre;
-      const double cosine = novelRay.dot(ray) / ray.norm();
-      if (cosine > 0)
-      {
-        this->Nearest.emplace_back(cosine, &reference);
-      }
-    }
-    std::sort(this->Nearest.begin(), this->Nearest.end(),
-      [](const auto& a, const auto& b) { return a.first > b.first; });
-  }
-
-  /** How well a reference sees a point, 0 to 1, and at which pixel. */
-  double Share(const Reference& reference, const Vector3d& point, Vector2d& u) const
-  {
-    const Camera& camera = reference.Photo->Cam;
-    const double z = camera.Depth(point);
-    if (z <= 0)
-    {
-      return 0;
-    }
-    u = camera.Project(point);
-    if (!(u.x() >= 0 && u.y() >= 0 && u.x() <= camera.Width - 1 && u.y() <= camera.Height - 1))
-    {
-      return 0;
-    }
-    const double inside =
-      SampleBilinear(reference.Photo->ContourDistance, u.x(), u.y()) - this->Options.BorderPx;
-    return inside <= 0 ? 0
-                       : std::min(inside / this->Options.FeatherPx, 1.0) *
-        Visibility(reference, u, z, this->Options);
-  }
-
-  const std::vector<Reference>& References;
-  const Vector3d Centre;
-  const TextureOptions& Options;
-  std::vector<std::pair<double, const Reference*>> Nearest; ///< with the cosine to the novel ray
-};
 
 /**
  * Item buffer with the share of each pixel that the mesh covers. A pixel whose centre is missed but
@@ -324,8 +190,8 @@ TexturedView TextureView(const TriangleMesh& mesh, const TriangleMesh* occluders
 {
   const CoveredBuffer buffer = RasteriseCovered(mesh, camera, options.RimSamples, execution);
   execution.Report(0.2);
-  const std::vector<Reference> references =
-    MakeReferences(mesh, occluders, views, camera, options, execution);
+  const std::vector<BlendReference> references =
+    ReferencesFor(mesh, occluders, views, camera, options, execution);
   execution.Report(0.5);
 
   const int width = camera.Width;
@@ -337,10 +203,11 @@ TexturedView TextureView(const TriangleMesh& mesh, const TriangleMesh* occluders
   result.CellId = Image<int>(width, height, 1, -1);
   result.Seen = Image<std::uint8_t>(width, height);
   Image<float> color(width, height, 3);
+  const Vector3d centre = camera.Centre();
   execution.ParallelFor(height,
     [&](std::int64_t begin, std::int64_t end)
     {
-      Blender blender(references, camera, options);
+      PhotoBlender blender(references, options);
       for (int y = static_cast<int>(begin); y < end; ++y)
       {
         for (int x = 0; x < width; ++x)
@@ -355,7 +222,7 @@ TexturedView TextureView(const TriangleMesh& mesh, const TriangleMesh* occluders
           result.Mask(x, y) = 255;
           result.Depth(x, y) = buffer.Front.Depth(x, y);
           result.CellId(x, y) = buffer.Front.CellId(x, y);
-          result.Seen(x, y) = blender.Blend(point, rgb);
+          result.Seen(x, y) = blender.Blend(point, (point - centre).normalized(), rgb);
           for (int channel = 0; channel < 3; ++channel)
           {
             color(x, y, channel) = static_cast<float>(rgb[channel]);
