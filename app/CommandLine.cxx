@@ -52,6 +52,7 @@ struct Parsed
   OptionParser Run;
   OptionParser Render;
   OptionParser Orbit;
+  OptionParser Mesh;
   OptionParser Evaluate;
   OptionParser Convert;
   OptionParser Check;
@@ -168,6 +169,12 @@ void AddCommands(CLI::App& app, Parsed& parsed, const Commands& commands)
       *AddCommand(app, "orbit", "make a film of the object from a moving camera", parsed), parsed,
       parsed.Orbit);
   }
+  if (commands.Mesh)
+  {
+    AddOnDataset<MeshOptions>(
+      *AddCommand(app, "mesh", "make a textured mesh of the whole object", parsed), parsed,
+      parsed.Mesh);
+  }
   if (commands.Evaluate)
   {
     AddOnDataset<EvaluateOptions>(
@@ -224,6 +231,12 @@ int Dispatch(const CLI::App& app, const Parsed& parsed, const Commands& commands
   else if (command == "orbit")
   {
     commands.Orbit(MakeOrbitOptions(parsed.Dataset, parsed.Orbit.Given()), console);
+  }
+  else if (command == "mesh")
+  {
+    const MeshOptions options = MakeMeshOptions(parsed.Dataset, parsed.Mesh.Given());
+    LimitThreads(options.Threads);
+    commands.Mesh(options, console);
   }
   else if (command == "convert")
   {

@@ -18,6 +18,7 @@ struct Commands
   std::function<void(const Job&, Console&)> Run;
   std::function<void(const RenderOptions&, Console&)> Render;
   std::function<void(const OrbitOptions&, Console&)> Orbit;
+  std::function<void(const MeshOptions&, Console&)> Mesh;
   std::function<void(const EvaluateOptions&, Console&)> Evaluate;
   std::function<void(const ConvertOptions&, Console&)> Convert;
   std::function<bool(const CheckOptions&, Console&)> Check; ///< whether there are no problems

@@ -30,6 +30,7 @@ struct ShapeOf
     return { "NUMBERS", 6, 6 };
   }
   Shape operator()(const std::vector<std::string>*) const { return { "NAMES", 1, Many }; }
+  Shape operator()(const std::vector<std::filesystem::path>*) const { return { "PATHS", 1, Many }; }
   Shape operator()(const std::vector<double>*) const { return { "NUMBERS", 1, Many }; }
   Shape operator()(const std::vector<int>*) const { return { "INTS", 1, Many }; }
   Shape operator()(const Stage*) const { return { "STAGE" }; }

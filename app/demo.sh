@@ -19,5 +19,6 @@ The novel view    $out/novel/novel.png  (truth.png beside it)
 After each stage  $out/novel/stages/
 Each iteration    $out/novel/iterations/ (pictures), $out/novel/meshes/iterations.pvd (ParaView)
 RMS tables        $out/novel/rms_outline.csv, $out/novel/rms_nonoutline.csv, chart $out/novel/rms.png
+The report        $out/novel/report.html (all of this, for a browser)
 Summary           $out/novel/summary.json; the job, to run again: $out/novel/job.json
 END

@@ -4,6 +4,7 @@
 #include "ConvertCommand.h"
 #include "EvaluateCommand.h"
 #include "MaskCommand.h"
+#include "MeshCommand.h"
 #include "OrbitCommand.h"
 #include "RunCommand.h"
 
@@ -97,6 +98,7 @@ int main(int argc, char** argv)
   commands.Run = RunJob;
   commands.Render = launch.Shared(RenderJob);
   commands.Orbit = launch.Shared(FilmOrbit);
+  commands.Mesh = MakeMesh;
   commands.Evaluate = launch.Shared(EvaluateDataset);
   commands.Convert = ConvertDataset;
   commands.Check = RunCheck;

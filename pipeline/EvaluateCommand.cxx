@@ -4,6 +4,7 @@
 #include "AtomicFile.h"
 #include "CommandSupport.h"
 #include "Error.h"
+#include "EvaluationPage.h"
 #include "EvaluationPictures.h"
 #include "EvaluationPlan.h"
 #include "EvaluationScores.h"
@@ -13,10 +14,7 @@
 #include "SharedWork.h"
 #include "ViewAccess.h"
 
-#include <Eigen/Core>
 #include <nlohmann/json.hpp>
-#include <opencv2/core/version.hpp>
-#include <vtkVersion.h>
 
 #include <algorithm>
 #include <array>
@@ -39,16 +37,6 @@ const char* const Protocol =
   "are "
   "arithmetic, over the views. Oracle = the same texture mapping on the true mesh; gap closure = "
   "(hull - full) / (hull - oracle) of the means.";
-
-/** Of the programs and libraries that the numbers depend on. */
-nlohmann::ordered_json VersionsJson()
-{
-  return { { "novelview", NOVELVIEW_VERSION }, { "vtk", vtkVersion::GetVTKVersion() },
-    { "opencv", CV_VERSION },
-    { "eigen",
-      std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + "." +
-        std::to_string(EIGEN_MINOR_VERSION) } };
-}
 
 /** Every number of Scores, so that they can be sent. */
 constexpr std::array ScoreNumbers = { &Scores::Rms, &Scores::Psnr, &Scores::Ssim, &Scores::Iou,
@@ -93,6 +81,9 @@ vtkSmartPointer<vtkImageData> Blackened(vtkImageData* picture)
   return result;
 }
 
+/** With pictures of more views a page would be larger than browsers like. */
+constexpr std::size_t MostShots = 24;
+
 /** One evaluation: what is made of the plan, and what is left in the folder. */
 class Evaluation
 {
@@ -135,14 +126,14 @@ public:
       this->Sheet.emplace(this->Title, StageName(this->Options.UpTo), this->Items.size(),
         static_cast<double>(first.Width) / first.Height);
     }
-    this->ReadViews();
+    const auto photographs = this->ReadViews();
     this->Work.ForEach(
       this->Items.size(), [this](std::size_t item) { return this->Predict(this->Items[item]); },
       [this](std::size_t item, const WorkResult& result)
       { this->Keep(this->Items[item], result); });
     if (this->Writes())
     {
-      this->Finish();
+      this->Finish(photographs);
     }
   }
 
@@ -154,7 +145,8 @@ private:
     const PlannedView* View;
   };
 
-  void ReadViews()
+  /** Reads the photographs in the first process, which returns them, and hands them out. */
+  vtkSmartPointer<vtkMultiBlockDataSet> ReadViews()
   {
     // With one set what it holds out is not even read; several sets share what is read once.
     const bool alone = this->Plan.Sets.size() == 1;
@@ -167,12 +159,13 @@ private:
     if (!alone)
     {
       this->References = this->Work.Share(dataset.Views);
-      return;
+      return dataset.Views;
     }
     const PlannedSet& set = this->Plan.Sets.front();
     this->Current = &set;
     const auto references = this->Writes() ? Without(dataset.Views, set.HeldOut) : nullptr;
     this->Made = this->Work.Prepare(references, this->Options.Synthesis);
+    return dataset.Views;
   }
 
   /** The synthesis of a set of references, with its own hull; the last one's is kept. */
@@ -262,6 +255,15 @@ private:
         WriteArray(this->Options.Out / name, result.Images[i], arrays::Color);
       }
     }
+    if (this->Options.Page && this->Options.Pictures && this->Shots.size() < MostShots)
+    {
+      std::vector<std::pair<std::string, vtkImageData*>> shown;
+      for (std::size_t i = 0; i < view.Stages.size(); ++i)
+      {
+        shown.emplace_back(view.Stages[i].first, result.Images[i]);
+      }
+      this->Shots.push_back(ShotsOf(view.Name, shown, result.Images.back()));
+    }
     if (this->Sheet)
     {
       this->Sheet->AddRow(
@@ -270,7 +272,7 @@ private:
     }
   }
 
-  void Finish()
+  void Finish(vtkMultiBlockDataSet* photographs)
   {
     const fs::path& out = this->Options.Out;
     DrawEvaluationChart(this->Title, this->Views, out / "chart.png");
@@ -279,7 +281,17 @@ private:
       this->Sheet->Write(out / "overview.png");
     }
     WriteTextAtomically(out / "scores.csv", ScoresCsv(this->Views));
-    WriteTextAtomically(out / "scores.json", this->SummaryText());
+    const nlohmann::ordered_json summary = this->Summary();
+    if (this->Options.Page)
+    {
+      const EvaluationPageInput input{ this->Title, summary,
+        nlohmann::ordered_json::parse(this->Con.TimingsText()) };
+      WriteTextAtomically(
+        out / "report.html", EvaluationPageHtml(input, this->Views, this->Shots, photographs));
+    }
+    // File names may hold bytes that are no UTF-8.
+    WriteTextAtomically(out / "scores.json",
+      summary.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
     for (const std::string& line : ScoreTable(this->Views))
     {
       this->Con.Info(line);
@@ -297,7 +309,7 @@ private:
     this->Con.Summary();
   }
 
-  std::string SummaryText() const
+  nlohmann::ordered_json Summary() const
   {
     nlohmann::ordered_json summary;
     summary["protocol"] = Protocol;
@@ -307,8 +319,7 @@ private:
     used.TrueMesh = this->Plan.TrueMesh;
     summary["options"] = ToJson(OptionsOf(used), used.Out);
     summary["versions"] = VersionsJson();
-    // File names may hold bytes that are no UTF-8.
-    return summary.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+    return summary;
   }
 
   const EvaluateOptions& Options;
@@ -324,6 +335,7 @@ private:
   vtkSmartPointer<vtkMultiBlockDataSet> References; ///< of several sets, all photographs
   const PlannedSet* Current = nullptr;              ///< the set of Made
   std::unique_ptr<Synthesis> Made;
+  std::vector<EvaluationShots> Shots;
 };
 }
 

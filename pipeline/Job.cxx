@@ -3,6 +3,7 @@
 
 #include "AtomicFile.h"
 #include "DatasetFormats.h"
+#include "ModelFile.h"
 #include "UsageError.h"
 
 #include <algorithm>
@@ -85,6 +86,11 @@ Option ThreadsOption(int& threads)
     false };
 }
 
+Option TextureSizeOption(int& size, const char* group)
+{
+  return { "textureSize", "largest side of a mesh's texture", "px", group, &size, 64, 16384 };
+}
+
 Option StageOption(Stage& upTo)
 {
   return { "stage", "how far the geometry is refined", "", "Method", &upTo };
@@ -160,7 +166,7 @@ Options Layered(const fs::path& dataset, const GivenOptions& given)
   }
   if (options.Out.empty())
   {
-    throw UsageError("--out", "no folder for the results given");
+    throw UsageError("--out", "no place for the results given");
   }
   return options;
 }
@@ -237,6 +243,11 @@ OptionTable OptionsOf(Job& job)
       &job.WriteIterations },
     { "screenshots", "write a picture of the scene for every iteration, too", "", run,
       &job.Screenshots },
+    { "report", "write report.html, a page with everything about the run, and rig.png", "", run,
+      &job.Page },
+    { "meshOut", "also write the view's mesh with its texture: " + ModelFileKinds(), "", run,
+      &job.MeshOut },
+    TextureSizeOption(job.TextureSizePx, run),
   };
   return WithMethod(std::move(table), job);
 }
@@ -267,6 +278,16 @@ OptionTable OptionsOf(OrbitOptions& options)
   return WithMethod(std::move(table), options);
 }
 
+OptionTable OptionsOf(MeshOptions& options)
+{
+  const char* const mesh = "Mesh";
+  OptionTable table = {
+    { "out", "files for the mesh: " + ModelFileKinds(), "", mesh, &options.Out },
+    TextureSizeOption(options.TextureSizePx, mesh),
+  };
+  return WithMethod(std::move(table), options);
+}
+
 OptionTable OptionsOf(EvaluateOptions& options)
 {
   const char* const evaluate = "Evaluate";
@@ -283,6 +304,8 @@ OptionTable OptionsOf(EvaluateOptions& options)
       evaluate, &options.TrueMesh },
     { "pictures", "write the picture of every view and stage, and an overview", "", evaluate,
       &options.Pictures },
+    { "report", "write report.html, a page with everything about the evaluation", "", evaluate,
+      &options.Page },
   };
   return WithMethod(std::move(table), options);
 }
@@ -462,6 +485,7 @@ Job MakeJob(const fs::path& dataset, const GivenOptions& given)
   {
     throw UsageError("--truth-mask", "is of no use without --truth");
   }
+  CheckModelFiles(job.MeshOut, "--mesh-out");
   return job;
 }
 
@@ -478,6 +502,13 @@ RenderOptions MakeRenderOptions(const fs::path& dataset, const GivenOptions& giv
 OrbitOptions MakeOrbitOptions(const fs::path& dataset, const GivenOptions& given)
 {
   return Layered<OrbitOptions>(dataset, given);
+}
+
+MeshOptions MakeMeshOptions(const fs::path& dataset, const GivenOptions& given)
+{
+  MeshOptions options = Layered<MeshOptions>(dataset, given);
+  CheckModelFiles(options.Out, "--out");
+  return options;
 }
 
 EvaluateOptions MakeEvaluateOptions(const fs::path& dataset, const GivenOptions& given)

@@ -37,9 +37,12 @@ struct Job
   std::filesystem::path TruthMask; ///< its silhouette; empty = what lies in mask/ beside it
   std::filesystem::path TrueMesh;  ///< for the oracle; empty = none
   Stage UpTo = Stage::Full;
-  bool WriteIterations = true; ///< novel view, mesh and scores of every iteration
-  bool Screenshots = true;     ///< and a picture of the scene
-  int Threads = 0;             ///< 0 = one per core
+  bool WriteIterations = true;                ///< novel view, mesh and scores of every iteration
+  bool Screenshots = true;                    ///< and a picture of the scene
+  bool Page = true;                           ///< report.html and the picture of the rig
+  std::vector<std::filesystem::path> MeshOut; ///< files of the view's mesh, see ModelFile.h
+  int TextureSizePx = 4096;                   ///< of the mesh's texture, at most
+  int Threads = 0;                            ///< 0 = one per core
   SynthesisOptions Synthesis;
 };
 
@@ -58,12 +61,23 @@ struct RenderOptions
 struct OrbitOptions
 {
   JobInput Input;
-  std::filesystem::path Out;       ///< a video, or a folder for the frames
-  std::filesystem::path Path;      ///< key cameras, see FramePlan.h; empty = round the cameras' ring
-  int Frames = 0;                  ///< 0 = what the path says, else 72
-  double Fps = 24;                 ///< frames per second
+  std::filesystem::path Out;  ///< a video, or a folder for the frames
+  std::filesystem::path Path; ///< key cameras, see FramePlan.h; empty = round the cameras' ring
+  int Frames = 0;             ///< 0 = what the path says, else 72
+  double Fps = 24;            ///< frames per second
   std::filesystem::path FramesDir; ///< also gets the frames as pictures; empty = none
   Stage UpTo = Stage::Full;
+  int Threads = 0;
+  SynthesisOptions Synthesis;
+};
+
+/** The whole object as a mesh with the photographs' colours: `novelview mesh`. */
+struct MeshOptions
+{
+  JobInput Input;
+  std::vector<std::filesystem::path> Out; ///< files, see ModelFile.h
+  Stage UpTo = Stage::Full;               ///< Hull: the power crust; else refined by depth maps
+  int TextureSizePx = 4096;               ///< of the texture, at most
   int Threads = 0;
   SynthesisOptions Synthesis;
 };
@@ -82,6 +96,7 @@ struct EvaluateOptions
   bool LeaveOneOut = false;         ///< each photograph is predicted from all others
   std::filesystem::path TrueMesh;   ///< for the oracle; empty = the test views' truth.ply, if any
   bool Pictures = true;             ///< write the views' pictures and the overview
+  bool Page = true;                 ///< write report.html
   Stage UpTo = Stage::Full;
   int Threads = 0;
   SynthesisOptions Synthesis;
@@ -145,6 +160,7 @@ SynthesisOptions DefaultsOf(const std::string& preset)
 OptionTable OptionsOf(SynthesisOptions& options);
 OptionTable OptionsOf(Job& job);
 OptionTable OptionsOf(RenderOptions& options);
+OptionTable OptionsOf(MeshOptions& options);
 OptionTable OptionsOf(EvaluateOptions& options);
 OptionTable OptionsOf(OrbitOptions& options);
 OptionTable OptionsOf(GeneratorOptions& options);
@@ -165,6 +181,7 @@ using GivenOptions = std::vector<std::pair<std::string, std::vector<std::string>
 Job MakeJob(const std::filesystem::path& dataset, const GivenOptions& given);
 RenderOptions MakeRenderOptions(const std::filesystem::path& dataset, const GivenOptions& given);
 OrbitOptions MakeOrbitOptions(const std::filesystem::path& dataset, const GivenOptions& given);
+MeshOptions MakeMeshOptions(const std::filesystem::path& dataset, const GivenOptions& given);
 EvaluateOptions MakeEvaluateOptions(
   const std::filesystem::path& dataset, const GivenOptions& given);
 

@@ -176,6 +176,10 @@ public:
     std::copy(values.begin(), values.end(), (*target)->begin());
   }
   void operator()(std::vector<std::string>* target) const { *target = this->Words; }
+  void operator()(std::vector<fs::path>* target) const
+  {
+    target->assign(this->Words.begin(), this->Words.end());
+  }
   void operator()(std::vector<double>* target) const { *target = this->Numbers<double>(); }
   void operator()(std::vector<int>* target) const { *target = this->Numbers<int>(); }
   void operator()(Stage* target) const { *target = this->StageOf(this->One()); }
@@ -260,6 +264,11 @@ public:
   void operator()(std::vector<std::string>* target) const
   {
     this->Fill(*target, "an array of texts", [this](const Json& each) { return this->Text(each); });
+  }
+  void operator()(std::vector<fs::path>* target) const
+  {
+    this->Fill(*target, "an array of paths",
+      [this](const Json& each) { return this->Rebased(this->Text(each)); });
   }
   void operator()(std::vector<double>* target) const
   {
@@ -347,6 +356,15 @@ public:
     return *target ? Json(**target) : Json();
   }
   Json operator()(const fs::path* target) const { return this->Absolute(*target).string(); }
+  Json operator()(const std::vector<fs::path>* target) const
+  {
+    Json paths = Json::array();
+    for (const fs::path& path : *target)
+    {
+      paths.push_back(this->Absolute(path).string());
+    }
+    return paths;
+  }
   Json operator()(const Stage* target) const { return StageName(*target); }
   Json operator()(const ViewSpec* target) const
   {
@@ -397,6 +415,10 @@ struct TextGetter
   std::string operator()(const std::vector<std::string>* target) const
   {
     return Joined(*target, ",");
+  }
+  std::string operator()(const std::vector<fs::path>* target) const
+  {
+    return Joined({ target->begin(), target->end() }, ",");
   }
   std::string operator()(const std::vector<double>* target) const { return ListText(*target); }
   std::string operator()(const std::vector<int>* target) const { return ListText(*target); }

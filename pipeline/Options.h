@@ -30,9 +30,10 @@ struct SizeTarget
 };
 
 /** Where the value of an option lives; the type says what it accepts. */
-using OptionTarget = std::variant<bool*, int*, double*, std::string*, std::filesystem::path*,
-  std::optional<double>*, std::optional<std::array<double, 6>>*, std::vector<std::string>*,
-  std::vector<double>*, std::vector<int>*, Stage*, ViewSpec*, SizeTarget>;
+using OptionTarget =
+  std::variant<bool*, int*, double*, std::string*, std::filesystem::path*, std::optional<double>*,
+    std::optional<std::array<double, 6>>*, std::vector<std::string>*, std::vector<double>*,
+    std::vector<int>*, std::vector<std::filesystem::path>*, Stage*, ViewSpec*, SizeTarget>;
 
 struct Option
 {

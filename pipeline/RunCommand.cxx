@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "RunCommand.h"
 
+#include "AtomicFile.h"
 #include "CommandSupport.h"
 #include "Error.h"
 #include "ImageFile.h"
+#include "MeshCommand.h"
 #include "Metrics.h"
 #include "ObjectMesh.h"
+#include "ReportPictures.h"
+#include "RunPage.h"
 #include "RunReport.h"
 #include "SharedWork.h"
 #include "Threads.h"
@@ -71,6 +75,49 @@ void WriteReport(
   report.WriteMesh("medial_balls", made.MedialBalls());
   report.WriteNovel(stages.back().Image);
 }
+
+/** The cameras about the crust, as rig.png. */
+void WriteRig(const Job& job, const std::string& title, const Camera& novel,
+  vtkMultiBlockDataSet* views, vtkPolyData* crust)
+{
+  constexpr int photographPx = 320; // in a frustum they are smaller still
+  RigPicture rig;
+  rig.Title = title;
+  rig.Mesh = crust;
+  rig.Look = { "grey", true, 0 };
+  for (const View& view : ReadViews(views, { false, false, false }))
+  {
+    rig.Views.push_back(view.Cam);
+  }
+  rig.Photographs = SmallPhotographs(views, photographPx);
+  rig.HeldOut = { novel };
+  rig.HeldOutLabels = { "novel" };
+  rig.HeldOutName = "novel view";
+  DrawRig(rig, job.Out / "rig.png");
+}
+
+/** report.html: last, since it shows what is in the other files and how long they took. */
+void WritePage(RunPageInput input, const Console& console)
+{
+  input.Job = ReadJsonFile(input.Folder / "job.json");
+  input.Timings = nlohmann::ordered_json::parse(console.TimingsText());
+  WriteTextAtomically(input.Folder / "report.html", RunPageHtml(input));
+}
+
+/** Says the scores, and where the results are. */
+void TellResult(const Job& job, const RunReport& report, Console& console)
+{
+  for (const auto& [name, scores] : report.Stages())
+  {
+    console.Info(ScoreLine(name, scores));
+  }
+  console.Info("novel view: " + (job.Out / "novel.png").string());
+  if (job.Page)
+  {
+    console.Info("report: " + (job.Out / "report.html").string());
+  }
+  console.Summary();
+}
 }
 
 void RunJob(const Job& job, Console& console)
@@ -93,6 +140,12 @@ void RunJob(const Job& job, Console& console)
   desktop.Views = dataset.Views;
   desktop.Novel = view.Cam;
   SynthesisListener listener = ListenerFor(console);
+  RunPageInput page{ desktop.Title, job.Out, &report, dataset.Views, {}, {}, dataset.Warnings };
+  listener.Warn = [&](const std::string& text)
+  {
+    page.Warnings.push_back(text);
+    console.Warn(text);
+  };
   if (job.WriteIterations)
   {
     listener.Iteration = [&](const IterationState& state)
@@ -105,20 +158,28 @@ void RunJob(const Job& job, Console& console)
   {
     oracle.Image = synthesis.Texture(trueMesh, view.Cam);
   }
+  if (!job.MeshOut.empty())
+  {
+    WriteModelFiles(ToTriangleMesh(stages.back().Mesh, "mesh"), synthesis.Photographs(),
+      job.Synthesis, job.TextureSizePx, job.MeshOut, console);
+  }
   console.RunTimed("report",
     [&]
     {
       WriteReport(stages, oracle, synthesis, report);
       report.Finish(desktop.Title);
       WriteJob(job, job.Out / "job.json");
+      if (job.Page)
+      {
+        WriteRig(job, desktop.Title, view.Cam, dataset.Views, synthesis.Crust());
+      }
     });
-
-  for (const auto& [name, scores] : report.Stages())
+  if (job.Page)
   {
-    console.Info(ScoreLine(name, scores));
+    console.RunTimed("report", [&] { WritePage(page, console); });
   }
-  console.Info("novel view: " + (job.Out / "novel.png").string());
-  console.Summary();
+
+  TellResult(job, report, console);
 }
 
 void RenderJob(const RenderOptions& options, Console& console, ProcessGroup& processes)

@@ -6,9 +6,12 @@
 #include "ImageFile.h"
 #include "ViewAccess.h"
 
+#include <Eigen/Core>
 #include <nlohmann/json.hpp>
+#include <opencv2/core/version.hpp>
 
 #include <vtkNew.h>
+#include <vtkVersion.h>
 #include <vtkXMLPolyDataWriter.h>
 
 #include <algorithm>
@@ -24,14 +27,6 @@ namespace
 std::string Text(double value)
 {
   return nlohmann::json(value).dump();
-}
-
-std::string IterationName(Stage step, int iteration)
-{
-  char name[64];
-  std::snprintf(
-    name, sizeof(name), "%s_%02d", step == Stage::Outline ? "outline" : "nonoutline", iteration);
-  return name;
 }
 
 /** Pixels of the object that no photograph sees, 255. */
@@ -66,6 +61,23 @@ nlohmann::ordered_json ScoresJson(const Scores& scores)
 {
   return { { "rms", scores.Rms }, { "psnr", scores.Psnr }, { "ssim", scores.Ssim },
     { "iou", scores.Iou }, { "missing", scores.Missing }, { "excess", scores.Excess } };
+}
+
+nlohmann::ordered_json VersionsJson()
+{
+  return { { "novelview", NOVELVIEW_VERSION }, { "vtk", vtkVersion::GetVTKVersion() },
+    { "opencv", CV_VERSION },
+    { "eigen",
+      std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + "." +
+        std::to_string(EIGEN_MINOR_VERSION) } };
+}
+
+std::string IterationName(Stage step, int iteration)
+{
+  char name[64];
+  std::snprintf(
+    name, sizeof(name), "%s_%02d", step == Stage::Outline ? "outline" : "nonoutline", iteration);
+  return name;
 }
 
 std::string StageName(Stage stage)
@@ -112,6 +124,7 @@ void RunReport::AddStage(const std::string& name, const NovelView& view)
     this->WriteMesh(name, view.Mesh);
   }
   this->StageScores.emplace_back(name, this->ScoreOf(view.Image));
+  this->Images.push_back(view.Image);
 }
 
 void RunReport::WriteNovel(vtkImageData* image) const
@@ -205,7 +218,7 @@ std::string RunReport::SeriesText() const
   return text + "  </Collection>\n</VTKFile>\n";
 }
 
-std::string RunReport::SummaryText() const
+nlohmann::ordered_json RunReport::Summary() const
 {
   nlohmann::ordered_json summary;
   summary["foreground"] = "truth mask united with rendered mask";
@@ -235,7 +248,7 @@ std::string RunReport::SummaryText() const
     summary["gap_closure"] = { { "rms", (hull->Rms - full->Rms) / (hull->Rms - oracle->Rms) },
       { "ssim", (hull->Ssim - full->Ssim) / (hull->Ssim - oracle->Ssim) } };
   }
-  return summary.dump(2) + "\n";
+  return summary;
 }
 
 void RunReport::Finish(const std::string& title) const
@@ -250,6 +263,6 @@ void RunReport::Finish(const std::string& title) const
   {
     DrawCharts(title, this->History, this->Folder / "rms.png");
   }
-  WriteTextAtomically(this->Folder / "summary.json", this->SummaryText());
+  WriteTextAtomically(this->Folder / "summary.json", this->Summary().dump(2) + "\n");
 }
 }

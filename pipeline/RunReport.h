@@ -21,6 +21,12 @@ std::string StageName(Stage stage);
 /** Scores as every summary has them: rms, psnr, ssim, iou, missing, excess. */
 nlohmann::ordered_json ScoresJson(const Scores& scores);
 
+/** Of the programs and libraries that the numbers depend on. */
+nlohmann::ordered_json VersionsJson();
+
+/** What the files of an iteration are called: outline_NN or nonoutline_NN. */
+std::string IterationName(Stage step, int iteration);
+
 /** A line of the tables: what IterationState tells, with the scores where there is a truth. */
 struct TableRow
 {
@@ -69,15 +75,22 @@ public:
   {
     return this->StageScores;
   }
+  /** The pictures of the same, as they came. */
+  const std::vector<vtkSmartPointer<vtkImageData>>& StageImages() const { return this->Images; }
+  const std::vector<TableRow>& Iterations() const { return this->Rows; }
+  vtkImageData* TrueImage() const { return this->Truth; } ///< null when there is none
+
+  /** What summary.json holds. */
+  nlohmann::ordered_json Summary() const;
 
 private:
   std::string TableText(Stage step) const;
   std::string SeriesText() const;
-  std::string SummaryText() const;
 
   std::filesystem::path Folder;
   vtkSmartPointer<vtkImageData> Truth;
   std::vector<std::pair<std::string, std::optional<Scores>>> StageScores;
+  std::vector<vtkSmartPointer<vtkImageData>> Images;
   std::vector<TableRow> Rows;
   std::vector<HistoryRow> History;
 };

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SceneActors.h"
 
-#include "ViewAccess.h"
+#include "CameraUp.h"
 
-#include <Eigen/Eigenvalues>
+#include "ViewAccess.h"
 
 #include <vtkActor.h>
 #include <vtkAxesActor.h>
@@ -167,32 +167,12 @@ void JoinLabels(std::vector<SceneCamera>& cameras, double distance)
 //------------------------------------------------------------------------------
 Eigen::Vector3d UpOf(const std::vector<SceneCamera>& cameras)
 {
-  const double count = static_cast<double>(cameras.size());
-  Eigen::Vector3d up = Eigen::Vector3d::Zero();
-  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  std::vector<Camera> plain;
   for (const SceneCamera& camera : cameras)
   {
-    up -= camera.Cam.R.row(1).transpose() / count;
-    middle += camera.Cam.Centre() / count;
+    plain.push_back(camera.Cam);
   }
-  if (up.norm() > 0.7)
-  {
-    return up.normalized();
-  }
-  // The pictures do not agree on what is up; then it is the axis that the cameras stand around.
-  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-  for (const SceneCamera& camera : cameras)
-  {
-    const Eigen::Vector3d offset = camera.Cam.Centre() - middle;
-    spread += offset * offset.transpose();
-  }
-  const Eigen::Vector3d axis =
-    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(0);
-  // Either end may be up: the one that the pictures lean to, or else that of a positive coordinate.
-  Eigen::Index largest = 0;
-  axis.cwiseAbs().maxCoeff(&largest);
-  const double lean = std::abs(axis.dot(up)) > 0.2 ? axis.dot(up) : axis[largest];
-  return lean < 0 ? Eigen::Vector3d(-axis) : axis;
+  return UpOfCameras(plain);
 }
 
 //------------------------------------------------------------------------------

@@ -137,8 +137,8 @@ void DrawRig(const RigPicture& rig, const std::filesystem::path& path)
     std::to_string(rig.Views.size()) + " photographs", box.X + 20, y, { 17, colours::Reference });
   if (!rig.HeldOut.empty())
   {
-    canvas.AddText(
-      std::to_string(rig.HeldOut.size()) + " held-out view" + (rig.HeldOut.size() == 1 ? "" : "s"),
+    canvas.AddText(std::to_string(rig.HeldOut.size()) + " " + rig.HeldOutName +
+        (rig.HeldOut.size() == 1 ? "" : "s"),
       box.X + 20, y + 26, { 17, colours::Novel });
   }
   WritePng(path, canvas.Draw());

@@ -31,8 +31,9 @@ struct RigPicture
   std::vector<Camera> Views; ///< drawn with their numbers, from 0
   /** The photographs (array Color, any size), shown in the cameras' frusta; may be empty. */
   std::vector<vtkSmartPointer<vtkImageData>> Photographs;
-  std::vector<Camera> HeldOut;            ///< drawn highlighted
-  std::vector<std::string> HeldOutLabels; ///< one each, e.g. "15 deg"
+  std::vector<Camera> HeldOut;               ///< drawn highlighted
+  std::vector<std::string> HeldOutLabels;    ///< one each, e.g. "15 deg"
+  std::string HeldOutName = "held-out view"; ///< what they are called; more than one get an s
 };
 
 /** The rig overview, 1600 x 900: textured object, numbered cameras, held-out cameras, axes. */

@@ -121,6 +121,19 @@ public:
                       : vtkPolyData::SafeDownCast(this->Filters.Mesher->GetOutputDataObject(1));
   }
 
+  vtkMultiBlockDataSet* Photographs()
+  {
+    this->Prepare();
+    if (this->Kept)
+    {
+      return this->Kept->Views;
+    }
+    // Without depth maps nothing has asked for them yet.
+    vtkAlgorithm* source = this->Filters.Mapper->GetInputAlgorithm(1, 0);
+    source->Update();
+    return vtkMultiBlockDataSet::SafeDownCast(source->GetOutputDataObject(0));
+  }
+
   /** With `all`, every stage is textured; otherwise only the last. */
   std::vector<NovelView> Render(const Camera& camera, Stage upTo, bool all)
   {
@@ -409,6 +422,11 @@ vtkPolyData* Synthesis::Crust()
 vtkPolyData* Synthesis::MedialBalls()
 {
   return this->Own->MedialBalls();
+}
+
+vtkMultiBlockDataSet* Synthesis::Photographs()
+{
+  return this->Own->Photographs();
 }
 
 NovelView Synthesis::Render(const Camera& camera, Stage upTo)

@@ -129,6 +129,8 @@ public:
   vtkPolyData* Hull();  ///< points with normals
   vtkPolyData* Crust(); ///< closed mesh on the hull's points
   vtkPolyData* MedialBalls();
+  /** The photographs as the mapper has them: silhouettes reconciled, with depth maps if wanted. */
+  vtkMultiBlockDataSet* Photographs();
 
   /** The picture the camera would take, with the geometry refined up to `upTo`. */
   NovelView Render(const Camera& camera, Stage upTo);

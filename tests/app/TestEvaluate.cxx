@@ -131,7 +131,7 @@ TEST_F(Evaluate, PhotographsHeldOutTogetherAreNoReferences)
   {
     names.push_back(name);
   }
-  EXPECT_THAT(names, testing::ElementsAre("chart.png", "scores.csv", "scores.json"));
+  EXPECT_THAT(names, testing::ElementsAre("chart.png", "report.html", "scores.csv", "scores.json"));
 }
 
 TEST_F(Evaluate, EveryKthIsTheSameAsNamingThem)

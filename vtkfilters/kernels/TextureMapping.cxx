@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "TextureMapping.h"
 
+#include "PhotoBlender.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,17 +13,6 @@ namespace
 {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-
-constexpr float NoDepth = std::numeric_limits<float>::infinity();
-
-/** A reference photograph and what it sees of the model. */
-struct Reference
-{
-  const View* Photo;
-  Vector3d Centre;
-  Image<float> ModelDepth;     ///< empty when the photograph's own depth map is used
-  ImageRef<const float> Depth; ///< 0 or infinity = nothing there
-};
 
 /** Everything that may hide a surface point from a photograph. */
 TriangleMesh SceneOf(const TriangleMesh& mesh, const TriangleMesh* occluders)
@@ -39,161 +30,19 @@ TriangleMesh SceneOf(const TriangleMesh& mesh, const TriangleMesh* occluders)
   return scene;
 }
 
-std::vector<Reference> MakeReferences(const TriangleMesh& mesh, const TriangleMesh* occluders,
+/** The references that may colour something in the camera's picture. */
+std::vector<BlendReference> ReferencesFor(const TriangleMesh& mesh, const TriangleMesh* occluders,
   const std::vector<View>& views, const Camera& camera, const TextureOptions& options,
   const Execution& execution)
 {
-  std::vector<Reference> references;
-  bool needScene = false;
-  for (const View& view : views)
-  {
-    // More than a right angle off, a photograph shows the other side.
-    if (view.Cam.OpticalAxis().dot(camera.OpticalAxis()) > 0)
-    {
-      const bool hasDepth = options.UseDepthMaps && !view.DepthMap.Empty();
-      references.push_back(
-        { &view, view.Cam.Centre(), {}, hasDepth ? view.DepthMap : ImageRef<const float>() });
-      needScene = needScene || !hasDepth;
-    }
-  }
-  const TriangleMesh scene = needScene ? SceneOf(mesh, occluders) : TriangleMesh();
-  execution.ForEach(static_cast<std::int64_t>(references.size()),
-    [&](std::int64_t i)
-    {
-      Reference& reference = references[i];
-      if (reference.Depth.Empty())
-      {
-        reference.ModelDepth = Rasterise(scene, reference.Photo->Cam).Depth;
-        reference.Depth = static_cast<const Image<float>&>(reference.ModelDepth).Ref();
-      }
-    });
-  return references;
+  const bool allHaveDepth = options.UseDepthMaps &&
+    std::none_of(
+      views.begin(), views.end(), [](const View& view) { return view.DepthMap.Empty(); });
+  // More than a right angle off, a photograph shows the other side.
+  const Vector3d axis = camera.OpticalAxis();
+  return MakeBlendReferences(
+    allHaveDepth ? TriangleMesh() : SceneOf(mesh, occluders), views, &axis, options, execution);
 }
-
-/** How visible a point at depth z that projects to u is in a reference: 0 to 1. */
-double Visibility(
-  const Reference& reference, const Vector2d& u, double z, const TextureOptions& options)
-{
-  const double behind = DepthBehind(reference.Depth, u, z) / reference.Photo->Cam.PixelFootprint(z);
-  if (options.OcclusionPx <= 0)
-  {
-    return behind <= 1.5 ? 1 : 0;
-  }
-  const double ratio = std::max(behind, 0.0) / options.OcclusionPx;
-  return std::exp(-ratio * ratio);
-}
-
-/** SampleBilinear() of three channels, inside the frame. */
-void SampleColor(const ImageRef<const std::uint8_t>& image, const Vector2d& u, double color[3])
-{
-  const int x = std::min(static_cast<int>(u.x()), std::max(image.Width - 2, 0));
-  const int y = std::min(static_cast<int>(u.y()), std::max(image.Height - 2, 0));
-  const double fx = u.x() - x;
-  const double fy = u.y() - y;
-  const std::uint8_t* top = image.Pixel(x, y);
-  const std::uint8_t* bottom = image.Pixel(x, std::min(y + 1, image.Height - 1));
-  const int right = x + 1 < image.Width ? 3 : 0;
-  for (int channel = 0; channel < 3; ++channel)
-  {
-    const double above = top[channel] * (1 - fx) + top[channel + right] * fx;
-    const double below = bottom[channel] * (1 - fx) + bottom[channel + right] * fx;
-    color[channel] = above * (1 - fy) + below * fy;
-  }
-}
-
-/** Everything the colour of one pixel needs; one per thread, so that no pixel allocates. */
-class Blender
-{
-public:
-  Blender(
-    const std::vector<Reference>& references, const Camera& camera, const TextureOptions& options)
-    : References(references)
-    , Centre(camera.Centre())
-    , Options(options)
-  {
-  }
-
-  /** Blends the colour of a surface point; false when no reference sees it. */
-  bool Blend(const Vector3d& point, double rgb[3])
-  {
-    this->SortByAngle(point);
-    double total = 0;
-    int used = 0;
-    rgb[0] = rgb[1] = rgb[2] = 0;
-    for (const auto& [cosine, reference] : this->Nearest)
-    {
-      Vector2d u;
-      const double share = this->Share(*reference, point, u);
-      const double weight = share > 0 ? share * std::pow(cosine, this->Options.Power) : 0;
-      if (weight <= 1e-6)
-      {
-        continue;
-      }
-      const double gain = this->Options.UseGains ? reference->Photo->Gain : 1;
-      total += weight;
-      double color[3];
-      SampleColor(reference->Photo->Color, u, color);
-      for (int channel = 0; channel < 3; ++channel)
-      {
-        rgb[channel] += weight / gain * color[channel];
-      }
-      if (++used == this->Options.References)
-      {
-        break;
-      }
-    }
-    for (int channel = 0; channel < 3 && total > 0; ++channel)
-    {
-      rgb[channel] /= total;
-    }
-    return total > 0;
-  }
-
-private:
-  /** Those that look at the point from the novel camera's side, the nearest first. */
-  void SortByAngle(const Vector3d& point)
-  {
-    this->Nearest.clear();
-    const Vector3d novelRay = (point - this->Centre).normalized();
-    for (const Reference& reference : this->References)
-    {
-      const Vector3d ray = point - reference.Centre;
-      const double cosine = novelRay.dot(ray) / ray.norm();
-      if (cosine > 0)
-      {
-        this->Nearest.emplace_back(cosine, &reference);
-      }
-    }
-    std::sort(this->Nearest.begin(), this->Nearest.end(),
-      [](const auto& a, const auto& b) { return a.first > b.first; });
-  }
-
-  /** How well a reference sees a point, 0 to 1, and at which pixel. */
-  double Share(const Reference& reference, const Vector3d& point, Vector2d& u) const
-  {
-    const Camera& camera = reference.Photo->Cam;
-    const double z = camera.Depth(point);
-    if (z <= 0)
-    {
-      return 0;
-    }
-    u = camera.Project(point);
-    if (!(u.x() >= 0 && u.y() >= 0 && u.x() <= camera.Width - 1 && u.y() <= camera.Height - 1))
-    {
-      return 0;
-    }
-    const double inside =
-      SampleBilinear(reference.Photo->ContourDistance, u.x(), u.y()) - this->Options.BorderPx;
-    return inside <= 0 ? 0
-                       : std::min(inside / this->Options.FeatherPx, 1.0) *
-        Visibility(reference, u, z, this->Options);
-  }
-
-  const std::vector<Reference>& References;
-  const Vector3d Centre;
-  const TextureOptions& Options;
-  std::vector<std::pair<double, const Reference*>> Nearest; ///< with the cosine to the novel ray
-};
 
 /**
  * Item buffer with the share of each pixel that the mesh covers. A pixel whose centre is missed but
@@ -363,8 +212,8 @@ TexturedView TextureView(const TriangleMesh& mesh, const TriangleMesh* occluders
 {
   const CoveredBuffer buffer = RasteriseCovered(mesh, camera, options.RimSamples, execution);
   execution.Report(0.2);
-  const std::vector<Reference> references =
-    MakeReferences(mesh, occluders, views, camera, options, execution);
+  const std::vector<BlendReference> references =
+    ReferencesFor(mesh, occluders, views, camera, options, execution);
   execution.Report(0.5);
 
   const int width = camera.Width;
@@ -379,9 +228,10 @@ TexturedView TextureView(const TriangleMesh& mesh, const TriangleMesh* occluders
   // Where there is something to draw: the mask and, with a soft rim, what is covered by less.
   Image<std::uint8_t> drawn(width, height);
   Image<std::uint8_t> seen(width, height);
+  const Vector3d centre = camera.Centre();
   execution.ForEachWith(
-    height, [&] { return Blender(references, camera, options); },
-    [&](Blender& blender, std::int64_t row)
+    height, [&] { return PhotoBlender(references, options); },
+    [&](PhotoBlender& blender, std::int64_t row)
     {
       const int y = static_cast<int>(row);
       for (int x = 0; x < width; ++x)
@@ -395,7 +245,7 @@ TexturedView TextureView(const TriangleMesh& mesh, const TriangleMesh* occluders
           camera.Unproject(Vector2d(x, y) + buffer.Offset(x, y), buffer.Front.Depth(x, y));
         double rgb[3];
         drawn(x, y) = 255;
-        seen(x, y) = blender.Blend(point, rgb);
+        seen(x, y) = blender.Blend(point, (point - centre).normalized(), rgb);
         if (coverage >= 0.5f)
         {
           result.Mask(x, y) = 255;

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef novelview_MeshCommand_h
+#define novelview_MeshCommand_h
+
+#include "Console.h"
+#include "Job.h"
+#include "TriangleMesh.h"
+
+namespace novelview
+{
+/** `novelview mesh`: the whole object as files for other programs. Throws Error. */
+void MakeMesh(const MeshOptions& options, Console& console);
+
+/** Colours a mesh from the views and writes it into every file; says where. Throws Error. */
+void WriteModelFiles(const TriangleMesh& mesh, vtkMultiBlockDataSet* views,
+  const SynthesisOptions& synthesis, int textureSizePx,
+  const std::vector<std::filesystem::path>& files, Console& console);
+}
+
+#endif

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ModelFile.h"
+
+#include "AtomicFile.h"
+#include "Error.h"
+#include "GltfFile.h"
+#include "ImageFile.h"
+#include "UsageError.h"
+#include "ViewAccess.h"
+
+#include <vtkFloatArray.h>
+#include <vtkNew.h>
+#include <vtkOBJWriter.h>
+#include <vtkPLYWriter.h>
+#include <vtkPointData.h>
+#include <vtkSTLWriter.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkXMLPolyDataWriter.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <fstream>
+#include <iterator>
+
+namespace novelview
+{
+namespace fs = std::filesystem;
+
+namespace
+{
+std::string KindOf(const fs::path& file)
+{
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+/** The mesh with a colour and a normal per point. */
+vtkSmartPointer<vtkPolyData> ColouredPolyData(const TexturedModel& model)
+{
+  auto poly = vtkSmartPointer<vtkPolyData>::New();
+  FromTriangleMesh(model.Mesh, poly);
+  vtkNew<vtkUnsignedCharArray> colours;
+  colours->SetName(arrays::Color);
+  colours->SetNumberOfComponents(3);
+  colours->SetNumberOfTuples(static_cast<vtkIdType>(model.PointColours.size()));
+  for (std::size_t ptId = 0; ptId < model.PointColours.size(); ++ptId)
+  {
+    colours->SetTypedTuple(static_cast<vtkIdType>(ptId), model.PointColours[ptId].data());
+  }
+  poly->GetPointData()->SetScalars(colours);
+  poly->GetPointData()->SetNormals(NewNormals(model.Normals));
+  return poly;
+}
+
+/** The mesh cut into charts, with texture coordinates; VTK and OBJ count them from the bottom. */
+vtkSmartPointer<vtkPolyData> AtlasPolyData(const TexturedModel& model)
+{
+  auto poly = vtkSmartPointer<vtkPolyData>::New();
+  FromTriangleMesh(model.Atlas.Mesh, poly);
+  vtkNew<vtkFloatArray> coordinates;
+  coordinates->SetName("TextureCoordinates");
+  coordinates->SetNumberOfComponents(2);
+  std::vector<Eigen::Vector3d> normals;
+  for (std::size_t ptId = 0; ptId < model.Atlas.PointOf.size(); ++ptId)
+  {
+    const Eigen::Vector2d& at = model.Atlas.TexCoords[ptId];
+    coordinates->InsertNextTuple2(at.x(), 1 - at.y());
+    normals.push_back(model.Normals[model.Atlas.PointOf[ptId]]);
+  }
+  poly->GetPointData()->SetTCoords(coordinates);
+  poly->GetPointData()->SetNormals(NewNormals(normals));
+  return poly;
+}
+
+template <class Writer>
+void WriteByVtk(Writer* writer, vtkPolyData* poly, const fs::path& file)
+{
+  WriteAtomically(file,
+    [&](const fs::path& temporary)
+    {
+      writer->SetInputData(poly);
+      writer->SetFileName(temporary.c_str());
+      return writer->Write() == 1;
+    });
+}
+
+/** The texture first and the mesh that names it last. */
+void WriteObj(const TexturedModel& model, const fs::path& file)
+{
+  const fs::path texture = fs::path(file).replace_extension(".jpg");
+  const fs::path material = fs::path(file).replace_extension(".mtl");
+  WriteImageFile(texture, model.Atlas.Picture.Ref());
+  // The photographs' light is in the colours: ambient light shows them as they are.
+  WriteTextAtomically(material,
+    "newmtl photographs\nKa 1 1 1\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Ka " +
+      texture.filename().string() + "\nmap_Kd " + texture.filename().string() + "\n");
+  WriteAtomically(file,
+    [&](const fs::path& temporary)
+    {
+      vtkNew<vtkOBJWriter> writer;
+      writer->SetInputData(AtlasPolyData(model));
+      writer->SetFileName(temporary.c_str());
+      if (writer->Write() != 1)
+      {
+        return false;
+      }
+      // VTK's own material would be named after the temporary file.
+      std::ifstream written(temporary, std::ios::binary);
+      const std::string geometry{ std::istreambuf_iterator<char>(written),
+        std::istreambuf_iterator<char>() };
+      written.close();
+      std::ofstream whole(temporary, std::ios::binary);
+      whole << "mtllib " << material.filename().string() << "\nusemtl photographs\n" << geometry;
+      return static_cast<bool>(whole.flush());
+    });
+}
+}
+
+std::string ModelFileKinds()
+{
+  return ".glb, .obj, .ply, .vtp or .stl";
+}
+
+void CheckModelFiles(const std::vector<fs::path>& files, const std::string& option)
+{
+  static constexpr std::array<const char*, 5> kinds{ ".glb", ".obj", ".ply", ".vtp", ".stl" };
+  for (const fs::path& file : files)
+  {
+    if (std::find(kinds.begin(), kinds.end(), KindOf(file)) == kinds.end())
+    {
+      throw UsageError(option, "is no file for a mesh", file.string(), ModelFileKinds());
+    }
+    if (std::count(files.begin(), files.end(), file) > 1)
+    {
+      throw UsageError(option, "names a file twice: " + file.string());
+    }
+  }
+}
+
+void WriteModelFile(const TexturedModel& model, const fs::path& file)
+{
+  const std::string kind = KindOf(file);
+  if (kind == ".glb")
+  {
+    WriteTextAtomically(file, GlbOf(model));
+  }
+  else if (kind == ".obj")
+  {
+    WriteObj(model, file);
+  }
+  else if (kind == ".ply")
+  {
+    vtkNew<vtkPLYWriter> writer;
+    writer->SetArrayName(arrays::Color);
+    WriteByVtk(writer.Get(), ColouredPolyData(model), file);
+  }
+  else if (kind == ".vtp")
+  {
+    vtkNew<vtkXMLPolyDataWriter> writer;
+    WriteByVtk(writer.Get(), ColouredPolyData(model), file);
+  }
+  else
+  {
+    vtkNew<vtkSTLWriter> writer;
+    writer->SetFileTypeToBinary();
+    WriteByVtk(writer.Get(), ColouredPolyData(model), file);
+  }
+}
+}

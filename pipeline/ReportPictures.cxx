@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ReportPictures.h"
+
+#include "ImageFile.h"
+#include "OpenCvPixels.h"
+#include "Parallel.h"
+#include "ViewAccess.h"
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace novelview
+{
+namespace
+{
+/** Photographs of many data sets together must not make a page that no browser likes to open. */
+constexpr std::size_t ManyPhotographs = 60;
+
+cv::Mat Scaled(const cv::Mat& mat, int longestSidePx)
+{
+  const double scale =
+    std::min(1.0, static_cast<double>(longestSidePx) / std::max(mat.cols, mat.rows));
+  const cv::Size size(std::max(1, static_cast<int>(std::lround(scale * mat.cols))),
+    std::max(1, static_cast<int>(std::lround(scale * mat.rows))));
+  cv::Mat scaled;
+  cv::resize(mat, scaled, size, 0, 0, cv::INTER_AREA);
+  return scaled;
+}
+
+cv::Mat ColorOf(vtkImageData* image, const std::string& where)
+{
+  return ToMat(TopDownArray<const std::uint8_t>(image, arrays::Color, 3, where, true));
+}
+
+cv::Mat MaskOf(vtkImageData* image, const std::string& where)
+{
+  return ToMat(TopDownArray<const std::uint8_t>(image, arrays::Mask, 1, where, true));
+}
+
+ReportPicture WithContour(vtkImageData* image, const std::string& name, int longestSidePx)
+{
+  cv::Mat color = Scaled(ColorOf(image, name), longestSidePx);
+  const cv::Mat mask = Scaled(MaskOf(image, name), longestSidePx) > 127;
+  std::vector<std::vector<cv::Point>> contours;
+  cv::findContours(mask, contours, cv::RETR_LIST, cv::CHAIN_APPROX_NONE);
+  cv::drawContours(color, contours, -1, cv::Scalar(255, 194, 46), 1, cv::LINE_AA);
+  const Image<std::uint8_t> pixels = FromMat<std::uint8_t>(color);
+  return EmbedPicture(name, name, pixels.Ref(), longestSidePx);
+}
+}
+
+std::vector<ReportPicture> PhotographPictures(vtkMultiBlockDataSet* views)
+{
+  const std::size_t count = views->GetNumberOfBlocks();
+  const int longest = count > ManyPhotographs ? 160 : 320;
+  std::vector<ReportPicture> pictures(count);
+  ParallelForEach(count,
+    [&](std::size_t i)
+    {
+      const auto viewId = static_cast<unsigned int>(i);
+      pictures[i] = WithContour(ViewImage(views, viewId), ViewName(views, viewId), longest);
+    });
+  return pictures;
+}
+
+std::vector<vtkSmartPointer<vtkImageData>> SmallPhotographs(
+  vtkMultiBlockDataSet* views, int longestSidePx)
+{
+  std::vector<vtkSmartPointer<vtkImageData>> images;
+  for (unsigned int viewId = 0; viewId < views->GetNumberOfBlocks(); ++viewId)
+  {
+    const Image<std::uint8_t> small = FromMat<std::uint8_t>(
+      Scaled(ColorOf(ViewImage(views, viewId), ViewName(views, viewId)), longestSidePx));
+    auto image = NewImage(small.Width, small.Height);
+    SetPixels(image, arrays::Color, small.Ref());
+    images.push_back(image);
+  }
+  return images;
+}
+
+ReportPicture EmbedImage(const std::string& name, const std::string& caption, vtkImageData* image,
+  int longestSidePx, bool blackened)
+{
+  cv::Mat color = ColorOf(image, name);
+  if (blackened)
+  {
+    color.setTo(cv::Scalar::all(0), MaskOf(image, name) <= 127);
+  }
+  const Image<std::uint8_t> pixels = FromMat<std::uint8_t>(color);
+  return EmbedPicture(name, caption, pixels.Ref(), longestSidePx);
+}
+}
