@@ -3,7 +3,7 @@
 # ---- Manual pages: the program's own help, novelview(1) and novelview-COMMAND(1) -----------------
 find_program(HELP2MAN help2man)
 if(HELP2MAN)
-  set(commands generate run render evaluate convert)
+  set(commands generate run render orbit evaluate mesh convert check mask)
   set(pages)
   foreach(command "" ${commands})
     string(JOIN "-" page novelview ${command})

@@ -215,14 +215,14 @@ TEST(CommandLine, BadUsageIsOneLineAndExitCodeTwo)
   ExpectUsageError({}, "subcommand is required");
   ExpectUsageError({ "rum", "bunny" }, "unknown command rum, did you mean run?");
   ExpectUsageError({ "run", "bunny", "--out", "o" }, "--view: no novel view");
-  ExpectUsageError({ "run", "bunny", "--view", "like:a" }, "--out: no folder");
+  ExpectUsageError({ "run", "bunny", "--view", "like:a" }, "--out: no place for the results");
   ExpectUsageError({ "run", "bunny", "--view", "like:a", "--out", "o", "--hull-spaccing", "2" },
     "unknown option --hull-spaccing, did you mean --hull-spacing?");
   ExpectUsageError({ "run", "bunny", "--view", "like:a", "--out", "o", "--hull-spacing", "x" },
     "--hull-spacing: is no number (got 'x'");
   ExpectUsageError({ "run", "bunny", "--view", "beside:a", "--out", "o" }, "view: is no view");
   ExpectUsageError({ "run", "bunny", "--quiet", "--verbose" }, "excludes");
-  ExpectUsageError({ "evaluate", "bunny" }, "--out: no folder");
+  ExpectUsageError({ "evaluate", "bunny" }, "--out: no place for the results");
   ExpectUsageError({ "evaluate", "bunny", "--out", "o", "--every", "2", "--hold-out", "a.png" },
     "--every: cannot be given with --hold-out");
   ExpectUsageError({ "generate", "--out", "o", "--size", "640" }, "--size: is no size (got '640'");
