@@ -91,7 +91,7 @@ void InterpolateAtBorder(const ImageRef<const std::uint8_t>& image, int firstX, 
   }
 }
 
-/** Whether a square of pixels is all object and inside the frame. */
+/** Whether a square of pixels is known to be all object and inside the frame. */
 bool AllObject(const View& view, int firstX, int firstY, int side)
 {
   if (!view.Mask.Contains(firstX, firstY) ||
@@ -99,16 +99,22 @@ bool AllObject(const View& view, int firstX, int firstY, int side)
   {
     return false;
   }
-  unsigned all = 0xff;
+  if (side < 8 && firstX + 8 > view.Mask.Width)
+  {
+    return false; // not known: eight pixels are looked at at once
+  }
+  // Above 127 is the highest bit. Wider windows are two words, which may overlap.
+  std::uint64_t all = ~std::uint64_t(0);
   for (int y = firstY; y < firstY + side; ++y)
   {
     const std::uint8_t* row = view.Mask.Pixel(firstX, y);
-    for (int i = 0; i < side; ++i)
-    {
-      all &= row[i]; // above 127 is the highest bit
-    }
+    std::uint64_t words[2];
+    std::memcpy(&words[0], row, 8);
+    std::memcpy(&words[1], row + std::max(side - 8, 0), 8);
+    all &= words[0] & words[1];
   }
-  return all > 127;
+  const std::uint64_t wanted = 0x8080808080808080u >> (8 * std::max(8 - side, 0));
+  return (all & wanted) == wanted;
 }
 
 /** Which values are object, by the pixel that each is nearest to; outside the frame none is. */
@@ -145,10 +151,6 @@ void ReadWindow(const View& view, const Vector2d& centre, int radius, PhotoWindo
     firstY + side < image.Height)
   {
     Interpolate(image.Pixel(firstX, firstY), image.RowStride, fx, fy, side, columns, window.Values);
-    for (float* row = window.Values; row < window.Values + side * columns; row += columns)
-    {
-      std::fill(row + 3 * side, row + columns, 0.f);
-    }
   }
   else
   {
@@ -179,6 +181,11 @@ template <bool Masked>
   Floats ab{};
   for (int first = 0; first < columns; first += Block)
   {
+    Floats used; // what fills the last block is not
+    for (int i = 0; i < Block; ++i)
+    {
+      used[i] = first + i < 3 * rows ? 1.f : 0.f;
+    }
     Floats sumA{};
     Floats sumB{};
     Floats sumOne{};
@@ -188,6 +195,8 @@ template <bool Masked>
       Floats y;
       std::memcpy(&x, a.Values + at, sizeof(x));
       std::memcpy(&y, b.Values + at, sizeof(y));
+      x *= used;
+      y *= used;
       if (Masked)
       {
         Floats one;
