@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace novelview
 {
@@ -36,6 +37,7 @@ public:
     , Run(execution)
     , Energies(mesh.Points.size())
     , Moves(mesh.Points.size(), 0)
+    , Moved(mesh.Points.size(), 1)
     , Partners(mesh.Points.size())
   {
     for (std::size_t ptId = 0; ptId < mesh.Points.size(); ++ptId)
@@ -83,7 +85,7 @@ private:
       [&](std::int64_t ptId)
       {
         this->Moves[ptId] = 0;
-        if (this->Active[ptId])
+        if (this->Active[ptId] && !this->IsSettled(static_cast<int>(ptId)))
         {
           this->MeasurePoint(static_cast<int>(ptId));
         }
@@ -126,19 +128,19 @@ private:
   /** What the keys of the pending points see of the mesh, unless it is there. */
   void RasteriseFor(const std::vector<int>& pending, std::vector<Image<float>>& depths) const
   {
+    std::vector<char> noted(this->Views.size(), 0);
     std::vector<int> wanted;
     for (const int ptId : pending)
     {
       const int key = this->Keys[ptId];
-      if (key >= 0 && depths[key].Values.empty())
+      if (key >= 0 && depths[key].Values.empty() && !std::exchange(noted[key], 1))
       {
-        depths[key].Values.resize(1); // noted
         wanted.push_back(key);
       }
     }
     this->Run.ForEach(static_cast<std::int64_t>(wanted.size()),
       [&](std::int64_t i)
-      { depths[wanted[i]] = Rasterise(this->Mesh, this->Views[wanted[i]].Cam).Depth; });
+      { depths[wanted[i]] = RasteriseDepth(this->Mesh, this->Views[wanted[i]].Cam); });
   }
 
   double FacingOf(int ptId, std::size_t viewId) const
@@ -179,6 +181,15 @@ private:
     const Vector3d& point = this->Mesh.Points[ptId];
     const double z = camera.Depth(point);
     return DepthBehind(depth, camera.Project(point), z) < 1.5 * camera.PixelFootprint(z);
+  }
+
+  /** Whether all that the point's energies depend on is as it was when they were last measured. */
+  bool IsSettled(int ptId) const
+  {
+    const std::span<const int> around = this->Neighbours.Points(ptId);
+    return !this->Moved[ptId] && this->Keys[ptId] == this->Partners[ptId].Key &&
+      std::none_of(
+        around.begin(), around.end(), [&](int other) { return this->Moved[other] != 0; });
   }
 
   void MeasurePoint(int ptId)
@@ -244,7 +255,8 @@ private:
     state.LargestMovePx = 0;
     for (std::size_t ptId = 0; ptId < this->Mesh.Points.size(); ++ptId)
     {
-      if (this->Moves[ptId] == 0)
+      this->Moved[ptId] = this->Moves[ptId] != 0;
+      if (!this->Moved[ptId])
       {
         continue;
       }
@@ -267,7 +279,8 @@ private:
   const NonOutlineOptions& Options;
   const Execution& Run;
   std::vector<PointEnergy> Energies;
-  std::vector<double> Moves; ///< of each point, pixel footprints along its ray
+  std::vector<double> Moves;       ///< of each point, pixel footprints along its ray
+  std::vector<std::uint8_t> Moved; ///< whether the last move was one; at first all count as moved
   struct PointPartners
   {
     int Key = -1;

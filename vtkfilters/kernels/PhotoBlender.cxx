@@ -31,7 +31,7 @@ std::vector<BlendReference> MakeBlendReferences(const TriangleMesh& scene,
       BlendReference& reference = references[i];
       if (reference.Depth.Empty())
       {
-        reference.ModelDepth = Rasterise(scene, reference.Photo->Cam).Depth;
+        reference.ModelDepth = RasteriseDepth(scene, reference.Photo->Cam);
         reference.Depth = static_cast<const Image<float>&>(reference.ModelDepth).Ref();
       }
     });

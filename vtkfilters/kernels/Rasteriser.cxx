@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Rasteriser.h"
 
+#include "CpuClones.h"
+
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace novelview
@@ -72,7 +75,12 @@ struct ProjectedTriangle
   {
   }
 
-  bool Drawn() const { return this->Area != 0 && std::isfinite(this->Area); }
+  /** Whether it has an area, and all of it is in front of the camera. */
+  bool Drawn() const
+  {
+    return this->P[0].InverseDepth > 0 && this->P[1].InverseDepth > 0 &&
+      this->P[2].InverseDepth > 0 && this->Area != 0 && std::isfinite(this->Area);
+  }
 
   /** The pixels whose centre is no further than `margin` outside its bounding box. */
   PixelBox Box(double margin, int width, int height) const
@@ -116,6 +124,38 @@ public:
     }
   }
 
+  /** Puts the depths of the pixels of a box into a picture of nearest ones; see RasteriseDepth(). */
+  [[gnu::always_inline]] inline void DrawNearest(
+    const PixelBox& box, int width, float* nearest) const
+  {
+    using Doubles [[gnu::vector_size(32)]] = double;
+    using Floats [[gnu::vector_size(16)]] = float;
+    using Ints [[gnu::vector_size(16)]] = std::int32_t;
+    for (int y = box.YBegin; y < box.YEnd; ++y)
+    {
+      const double row0 = this->Edges[0].Row(y);
+      const double row1 = this->Edges[1].Row(y);
+      const double row2 = this->Edges[2].Row(y);
+      for (int first = box.XBegin; first < box.XEnd; first += 4)
+      {
+        const Doubles x = static_cast<double>(first) + Doubles{ 0, 1, 2, 3 };
+        const Doubles w0 = this->Edges[0].A * x + row0;
+        const Doubles w1 = this->Edges[1].A * x + row1;
+        const Doubles w2 = this->Edges[2].A * x + row2;
+        const Floats depth = __builtin_convertvector((w0 + w1 + w2) /
+            (w0 * this->InverseDepth[0] + w1 * this->InverseDepth[1] + w2 * this->InverseDepth[2]),
+          Floats);
+        const auto covered = __builtin_convertvector(
+          (w0 >= 0) & (w1 >= 0) & (w2 >= 0) & (x < static_cast<double>(box.XEnd)), Ints);
+        float* at = nearest + static_cast<std::ptrdiff_t>(y) * width + first;
+        Floats before;
+        std::memcpy(&before, at, sizeof(before));
+        const Floats after = (covered & (depth < before)) ? depth : before;
+        std::memcpy(at, &after, sizeof(after));
+      }
+    }
+  }
+
 private:
   TriangleDepth(
     const ProjectedPoint& a, const ProjectedPoint& b, const ProjectedPoint& c, double sign)
@@ -127,6 +167,22 @@ private:
   EdgeFunction Edges[3]; ///< opposite to each corner
   double InverseDepth[3];
 };
+
+std::vector<ProjectedPoint> ProjectPoints(
+  const TriangleMesh& mesh, const Camera& camera, const Execution& execution)
+{
+  const Eigen::Matrix3d M = camera.K * camera.R;
+  const Eigen::Vector3d t = camera.K * camera.T;
+  std::vector<ProjectedPoint> points(mesh.Points.size());
+  execution.ForEach(static_cast<std::int64_t>(mesh.Points.size()),
+    [&](std::int64_t i)
+    {
+      const Eigen::Vector3d p = M * mesh.Points[i] + t;
+      const double inverse = p.z() > 0 ? 1 / p.z() : 0;
+      points[i] = { p.x() * inverse, p.y() * inverse, inverse };
+    });
+  return points;
+}
 
 /** The triangles of a mesh, projected and sorted into bands of rows that are drawn in parallel. */
 class TriangleBands
@@ -140,24 +196,13 @@ public:
     , Margin(margin)
     , Width(camera.Width)
     , Height(camera.Height)
-    , Points(mesh.Points.size())
+    , Points(ProjectPoints(mesh, camera, execution))
     , CellsOfBand((camera.Height + BandRows - 1) / BandRows)
   {
-    const Eigen::Matrix3d M = camera.K * camera.R;
-    const Eigen::Vector3d t = camera.K * camera.T;
-    execution.ForEach(static_cast<std::int64_t>(mesh.Points.size()),
-      [&](std::int64_t i)
-      {
-        const Eigen::Vector3d p = M * mesh.Points[i] + t;
-        const double inverse = p.z() > 0 ? 1 / p.z() : 0;
-        this->Points[i] = { p.x() * inverse, p.y() * inverse, inverse };
-      });
     for (std::size_t cellId = 0; cellId < mesh.Triangles.size(); ++cellId)
     {
       const ProjectedTriangle triangle = this->Projected(cellId);
-      const bool inFront = triangle.P[0].InverseDepth > 0 && triangle.P[1].InverseDepth > 0 &&
-        triangle.P[2].InverseDepth > 0;
-      if (!inFront || !triangle.Drawn())
+      if (!triangle.Drawn())
       {
         continue;
       }
@@ -229,6 +274,19 @@ void DrawMesh(
       }
     });
 }
+
+NOVELVIEW_CLONES void DrawNearest(const std::vector<Eigen::Vector3i>& triangles,
+  const std::vector<ProjectedPoint>& points, int width, int height, float* nearest)
+{
+  for (const Eigen::Vector3i& t : triangles)
+  {
+    const ProjectedTriangle triangle(points[t[0]], points[t[1]], points[t[2]]);
+    if (triangle.Drawn())
+    {
+      TriangleDepth(triangle).DrawNearest(triangle.Box(0, width, height), width, nearest);
+    }
+  }
+}
 }
 
 ItemBuffer Rasterise(const TriangleMesh& mesh, const Camera& camera, const Execution& execution)
@@ -247,6 +305,17 @@ ItemBuffer Rasterise(const TriangleMesh& mesh, const Camera& camera, const Execu
       }
     });
   return buffer;
+}
+
+Image<float> RasteriseDepth(const TriangleMesh& mesh, const Camera& camera)
+{
+  const std::vector<ProjectedPoint> points = ProjectPoints(mesh, camera, {});
+  Image<float> depth(camera.Width, camera.Height, 1, NoDepth);
+  const std::size_t size = depth.Values.size();
+  depth.Values.resize(size + 3); // four pixels are drawn at once
+  DrawNearest(mesh.Triangles, points, camera.Width, camera.Height, depth.Values.data());
+  depth.Values.resize(size);
+  return depth;
 }
 
 DepthRange RasteriseRange(

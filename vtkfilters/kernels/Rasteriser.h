@@ -32,6 +32,9 @@ struct ItemBuffer
 ItemBuffer Rasterise(
   const TriangleMesh& mesh, const Camera& camera, const Execution& execution = {});
 
+/** Only the depths, and in one thread: for loops over cameras that are themselves parallel. */
+Image<float> RasteriseDepth(const TriangleMesh& mesh, const Camera& camera);
+
 /** Between which depths a mesh lies, per pixel. */
 struct DepthRange
 {

@@ -81,28 +81,68 @@ public:
     : Complex(complex)
     , PolesOfSample(polesOfSample)
     , Edges(CollectEdges(complex, execution))
-    , Poles(complex.Tets.size())
     , ToldBy(complex.Points.size(), -1)
     , Queue(Levels)
   {
+    std::vector<int> poleOfTet(complex.Tets.size(), -1);
+    for (const std::array<int, 2>& pair : polesOfSample)
+    {
+      for (int tet : pair)
+      {
+        if (tet >= 0)
+        {
+          poleOfTet[tet] = 0;
+        }
+      }
+    }
+    for (int tet = 0; tet < complex.NumberOfTets(); ++tet)
+    {
+      if (poleOfTet[tet] == 0)
+      {
+        poleOfTet[tet] = static_cast<int>(this->Poles.size());
+        this->Poles.push_back({ complex.Centres[tet], complex.Radii[tet], tet });
+      }
+    }
+    for (std::array<int, 2>& pair : this->PolesOfSample)
+    {
+      for (int& tet : pair)
+      {
+        tet = tet < 0 ? -1 : poleOfTet[tet];
+      }
+    }
   }
 
-  void AddEvidence(int tet, Side side, double amount)
+  /** What is known from the start: poles with a far corner are outside. */
+  void AddCornerEvidence()
   {
-    Pole& pole = this->Poles[tet];
-    if (pole.Label != Side::Unknown || !(amount > 0))
+    for (int pole = 0; pole < static_cast<int>(this->Poles.size()); ++pole)
     {
-      return;
-    }
-    pole.Support[side == Side::Outside] += amount * amount * amount;
-    double& old = pole.Evidence[side == Side::Outside];
-    if (amount > old)
-    {
-      old = amount;
-      this->Enqueue(tet);
+      if (this->Complex.TouchesCorner(this->Poles[pole].Tet))
+      {
+        this->AddEvidence(pole, Side::Outside, 1);
+      }
     }
   }
 
+  /** Poles lie before or behind their sample, as its outward normal tells. */
+  void AddNormalEvidence(const std::vector<Eigen::Vector3d>& normals)
+  {
+    for (std::size_t s = 0; s < this->PolesOfSample.size(); ++s)
+    {
+      for (int pole : this->PolesOfSample[s])
+      {
+        if (pole >= 0)
+        {
+          const Eigen::Vector3d d = this->Poles[pole].Centre - this->Complex.Points[s];
+          const double cosine = d.dot(normals[s]) / (d.norm() * normals[s].norm());
+          this->AddEvidence(
+            pole, cosine < 0 ? Side::Inside : Side::Outside, std::min(std::abs(cosine), 1.0));
+        }
+      }
+    }
+  }
+
+  /** A label per tetrahedron; unknown for those that are neither poles nor touch a far corner. */
   std::vector<Side> Run(const Execution& execution)
   {
     int steps = 0;
@@ -118,9 +158,9 @@ public:
         --this->Highest;
         continue;
       }
-      const int tet = level.back();
+      const int id = level.back();
       level.pop_back();
-      Pole& pole = this->Poles[tet];
+      Pole& pole = this->Poles[id];
       if (pole.Label != Side::Unknown || pole.Queued != this->Highest)
       {
         continue;
@@ -128,18 +168,16 @@ public:
       if (pole.Level() < this->Highest) // it has heard the contrary since
       {
         pole.Queued = -1;
-        this->Enqueue(tet);
+        this->Enqueue(id);
         continue;
       }
-      const bool inside = pole.Support[0] > pole.Support[1] && !this->Complex.TouchesCorner(tet);
+      const bool inside =
+        pole.Support[0] > pole.Support[1] && !this->Complex.TouchesCorner(pole.Tet);
       pole.Label = inside ? Side::Inside : Side::Outside;
-      this->TellOppositePoles(tet);
-      this->TellNeighbors(tet);
+      this->TellOppositePoles(id);
+      this->TellNeighbors(id);
     }
-    std::vector<Side> labels(this->Poles.size());
-    std::transform(this->Poles.begin(), this->Poles.end(), labels.begin(),
-      [](const Pole& pole) { return pole.Label; });
-    return labels;
+    return this->LabelsOfTets();
   }
 
 private:
@@ -148,9 +186,12 @@ private:
 
   struct Pole
   {
+    Eigen::Vector3d Centre;
+    double Radius;
+    int Tet;
+    int Queued = -1;               ///< highest level in the queue
     double Evidence[2] = { 0, 0 }; ///< inside, outside: the strongest
     double Support[2] = { 0, 0 };  ///< inside, outside: sum of the cubes of all
-    int Queued = -1;               ///< highest level in the queue
     Side Label = Side::Unknown;
 
     int Level() const
@@ -161,77 +202,109 @@ private:
     }
   };
 
-  /** A pole in the queue at a higher level than its own is found out when it comes up. */
-  void Enqueue(int tet)
+  void AddEvidence(int id, Side side, double amount)
   {
-    Pole& pole = this->Poles[tet];
+    Pole& pole = this->Poles[id];
+    if (pole.Label != Side::Unknown || !(amount > 0))
+    {
+      return;
+    }
+    pole.Support[side == Side::Outside] += amount * amount * amount;
+    double& old = pole.Evidence[side == Side::Outside];
+    if (amount > old)
+    {
+      old = amount;
+      this->Enqueue(id);
+    }
+  }
+
+  /** A pole in the queue at a higher level than its own is found out when it comes up. */
+  void Enqueue(int id)
+  {
+    Pole& pole = this->Poles[id];
     const int level = pole.Level();
     if (level > pole.Queued)
     {
       pole.Queued = level;
-      this->Queue[level].push_back(tet);
+      this->Queue[level].push_back(id);
       this->Highest = std::max(this->Highest, level);
     }
   }
 
-  void TellOppositePoles(int tet)
+  void TellOppositePoles(int id)
   {
-    for (int sample : this->Complex.Tets[tet])
+    const Pole& pole = this->Poles[id];
+    for (int sample : this->Complex.Tets[pole.Tet])
     {
       if (sample >= this->Complex.NumberOfSamples)
       {
         continue;
       }
       const std::array<int, 2>& pair = this->PolesOfSample[sample];
-      const int other = pair[0] == tet ? pair[1] : (pair[1] == tet ? pair[0] : -1);
+      const int other = pair[0] == id ? pair[1] : (pair[1] == id ? pair[0] : -1);
       if (other >= 0)
       {
         const Eigen::Vector3d& p = this->Complex.Points[sample];
-        const Eigen::Vector3d a = this->Complex.Centres[tet] - p;
-        const Eigen::Vector3d b = this->Complex.Centres[other] - p;
-        this->AddEvidence(
-          other, Opposite(this->Poles[tet].Label), -a.dot(b) / (a.norm() * b.norm()));
+        const Eigen::Vector3d a = pole.Centre - p;
+        const Eigen::Vector3d b = this->Poles[other].Centre - p;
+        this->AddEvidence(other, Opposite(pole.Label), -a.dot(b) / (a.norm() * b.norm()));
       }
     }
   }
 
   /** Tells the poles of all samples that share a Delaunay edge with one of this pole's. */
-  void TellNeighbors(int tet)
+  void TellNeighbors(int id)
   {
-    for (int sample : this->Complex.Tets[tet])
+    for (int sample : this->Complex.Tets[this->Poles[id].Tet])
     {
       if (sample >= this->Complex.NumberOfSamples ||
-        (this->PolesOfSample[sample][0] != tet && this->PolesOfSample[sample][1] != tet))
+        (this->PolesOfSample[sample][0] != id && this->PolesOfSample[sample][1] != id))
       {
         continue;
       }
       for (int i = this->Edges.Start[sample]; i < this->Edges.Start[sample + 1]; ++i)
       {
         const int other = this->Edges.Points[i];
-        if (other < this->Complex.NumberOfSamples && this->ToldBy[other] != tet)
+        if (other < this->Complex.NumberOfSamples && this->ToldBy[other] != id)
         {
-          this->ToldBy[other] = tet;
-          this->TellPoles(tet, this->PolesOfSample[other]);
+          this->ToldBy[other] = id;
+          this->TellPoles(this->Poles[id], this->PolesOfSample[other]);
         }
       }
     }
   }
 
-  void TellPoles(int tet, const std::array<int, 2>& poles)
+  void TellPoles(const Pole& teller, const std::array<int, 2>& poles)
   {
-    for (int other : poles)
+    for (int id : poles)
     {
-      if (other >= 0 && this->Poles[other].Label == Side::Unknown)
+      if (id >= 0 && this->Poles[id].Label == Side::Unknown)
       {
-        this->AddEvidence(other, this->Poles[tet].Label, Agreement(this->Complex, tet, other));
+        const Pole& pole = this->Poles[id];
+        this->AddEvidence(
+          id, teller.Label, BallAgreement(teller.Centre, teller.Radius, pole.Centre, pole.Radius));
       }
     }
   }
 
+  std::vector<Side> LabelsOfTets() const
+  {
+    std::vector<Side> labels(this->Complex.Tets.size(), Side::Unknown);
+    for (int tet = 0; tet < this->Complex.NumberOfTets(); ++tet)
+    {
+      labels[tet] = this->Complex.TouchesCorner(tet) ? Side::Outside : Side::Unknown;
+    }
+    for (const Pole& pole : this->Poles)
+    {
+      labels[pole.Tet] = pole.Label;
+    }
+    return labels;
+  }
+
   const DelaunayComplex& Complex;
-  const std::vector<std::array<int, 2>>& PolesOfSample;
+  std::vector<std::array<int, 2>> PolesOfSample; ///< places in Poles, -1 = none
   const EdgeLists Edges;
-  std::vector<Pole> Poles;             ///< per tetrahedron; most are no pole
+  std::vector<Pole> Poles;             ///< in the order of their tetrahedra
   std::vector<int> ToldBy;             ///< per sample the pole that told its poles last
   std::vector<std::vector<int>> Queue; ///< per level the poles, the last one first
   int Highest = -1;                    ///< no level above has a pole
@@ -557,21 +630,29 @@ int BestPyramid(const DelaunayComplex& complex, const std::vector<Side>& labels,
 /** Pieces of equal label connected through facets: per tetrahedron the piece's lowest one. */
 std::vector<int> FindPieces(const DelaunayComplex& complex, const std::vector<Side>& labels)
 {
-  DisjointSets sets(complex.NumberOfTets());
-  for (int tet = 0; tet < complex.NumberOfTets(); ++tet)
+  std::vector<int> roots(complex.Tets.size(), -1);
+  std::vector<int> open;
+  for (int root = 0; root < complex.NumberOfTets(); ++root)
   {
-    for (int other : complex.Neighbors[tet])
+    if (roots[root] >= 0)
     {
-      if (other > tet && labels[other] == labels[tet])
+      continue;
+    }
+    roots[root] = root;
+    open.push_back(root);
+    while (!open.empty())
+    {
+      const int tet = open.back();
+      open.pop_back();
+      for (int other : complex.Neighbors[tet])
       {
-        sets.Unite(tet, other);
+        if (other >= 0 && roots[other] < 0 && labels[other] == labels[root])
+        {
+          roots[other] = root;
+          open.push_back(other);
+        }
       }
     }
-  }
-  std::vector<int> roots(complex.Tets.size());
-  for (int tet = 0; tet < complex.NumberOfTets(); ++tet)
-  {
-    roots[tet] = sets.Find(tet);
   }
   return roots;
 }
@@ -604,25 +685,10 @@ std::vector<Side> LabelTets(const DelaunayComplex& complex,
   const Execution& execution)
 {
   Labeller labeller(complex, polesOfSample, execution);
-  for (int tet = 0; tet < complex.NumberOfTets(); ++tet)
+  labeller.AddCornerEvidence();
+  if (normals)
   {
-    if (complex.TouchesCorner(tet))
-    {
-      labeller.AddEvidence(tet, Side::Outside, 1);
-    }
-  }
-  for (std::size_t s = 0; normals && s < polesOfSample.size(); ++s)
-  {
-    for (int tet : polesOfSample[s])
-    {
-      if (tet >= 0)
-      {
-        const Eigen::Vector3d d = complex.Centres[tet] - complex.Points[s];
-        const double cosine = d.dot((*normals)[s]) / (d.norm() * (*normals)[s].norm());
-        labeller.AddEvidence(
-          tet, cosine < 0 ? Side::Inside : Side::Outside, std::min(std::abs(cosine), 1.0));
-      }
-    }
+    labeller.AddNormalEvidence(*normals);
   }
   std::vector<Side> labels = labeller.Run(execution);
   SpreadLabels(complex, labels, execution);
