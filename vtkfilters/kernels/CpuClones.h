@@ -10,8 +10,12 @@
  */
 #if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && !defined(__clang__)
 #define NOVELVIEW_CLONES __attribute__((target_clones("avx2", "default")))
+/** The same for two definitions of a function, where one text is not the best for both. */
+#define NOVELVIEW_FOR_AVX2 __attribute__((target("avx2")))
+#define NOVELVIEW_FOR_ANY __attribute__((target("default")))
 #else
 #define NOVELVIEW_CLONES
+#define NOVELVIEW_FOR_ANY
 #endif
 
 #endif

@@ -19,18 +19,32 @@ constexpr int Block = 8;
 using Floats [[gnu::vector_size(4 * Block)]] = float;
 using FourFloats [[gnu::vector_size(16)]] = float;
 using FourInts [[gnu::vector_size(16)]] = std::int32_t;
+using EightInts [[gnu::vector_size(4 * Block)]] = std::int32_t;
+static_assert(std::endian::native == std::endian::little);
 
 /** Four bytes as numbers, by putting zeros between them: compilers convert them one by one. */
-[[gnu::always_inline]] inline FourInts LoadBytes(const std::uint8_t* from)
+[[gnu::always_inline]] inline void LoadBytes(const std::uint8_t* from, FourInts& values)
 {
-  static_assert(std::endian::native == std::endian::little);
   using Bytes [[gnu::vector_size(16)]] = std::uint8_t;
   using Words [[gnu::vector_size(16)]] = std::uint16_t;
   FourInts packed{};
   std::memcpy(&packed, from, 4);
   const auto words = (Words)__builtin_shuffle(
     (Bytes)packed, Bytes{}, Bytes{ 0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23 });
-  return (FourInts)__builtin_shuffle(words, Words{}, Words{ 0, 8, 1, 9, 2, 10, 3, 11 });
+  values = (FourInts)__builtin_shuffle(words, Words{}, Words{ 0, 8, 1, 9, 2, 10, 3, 11 });
+}
+
+/** Eight bytes as numbers; three instructions where there is a shuffle of bytes, many elsewhere. */
+[[gnu::always_inline]] inline void LoadBytes(const std::uint8_t* from, EightInts& values)
+{
+  using Bytes [[gnu::vector_size(32)]] = std::uint8_t;
+  using Octets [[gnu::vector_size(32)]] = std::uint64_t;
+  std::uint64_t packed;
+  std::memcpy(&packed, from, 8);
+  const auto spread = (EightInts)__builtin_shuffle((Bytes)Octets{ packed, packed, packed, packed },
+    Bytes{ 0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3, 20, 20, 20, 20, 21, 21, 21, 21, 22, 22,
+      22, 22, 23, 23, 23, 23 });
+  values = spread & 0xff;
 }
 
 /** How many values a row of a window takes: 3 (2 radius + 1) and what fills the last block. */
@@ -39,35 +53,55 @@ int ColumnsOf(int radius)
   return (3 * (2 * radius + 1) + Block - 1) / Block * Block;
 }
 
-/**
- * Bilinear interpolation of all values of a window. Its pixels are whole steps apart, so the four
- * weights are the same for all of them. `topLeft` is the pixel left of and above the first; from
- * there columns + 3 bytes are read of each row and the one below the last.
- */
-void Interpolate(const std::uint8_t* topLeft, std::ptrdiff_t stride, float fx, float fy, int rows,
-  int columns, float* values)
+/** Interpolate() by as many values at once as `Numbers` and `Ints` hold. */
+template <class Numbers, class Ints>
+[[gnu::always_inline]] inline void InterpolateBlocks(const std::uint8_t* topLeft,
+  std::ptrdiff_t stride, float fx, float fy, int rows, int columns, float* values)
 {
-  const auto across = [fx](const std::uint8_t* from)
+  const auto across = [fx](const std::uint8_t* from, Numbers& value) __attribute__((always_inline))
   {
-    const FourInts left = LoadBytes(from);
-    const FourInts right = LoadBytes(from + 3);
-    return __builtin_convertvector(left, FourFloats) +
-      fx * __builtin_convertvector(right - left, FourFloats);
+    Ints left;
+    Ints right;
+    LoadBytes(from, left);
+    LoadBytes(from + 3, right);
+    value =
+      __builtin_convertvector(left, Numbers) + fx * __builtin_convertvector(right - left, Numbers);
   };
-  for (int first = 0; first < columns; first += 4)
+  for (int first = 0; first < columns; first += static_cast<int>(sizeof(Numbers) / sizeof(float)))
   {
     const std::uint8_t* from = topLeft + first;
-    FourFloats above = across(from);
+    Numbers above;
+    across(from, above);
     for (int row = 0; row < rows; ++row)
     {
       from += stride;
-      const FourFloats below = across(from);
-      const FourFloats value = above + fy * (below - above);
+      Numbers below;
+      across(from, below);
+      const Numbers value = above + fy * (below - above);
       std::memcpy(values + row * columns + first, &value, sizeof(value));
       above = below;
     }
   }
 }
+
+/**
+ * Bilinear interpolation of all values of a window. Its pixels are whole steps apart, so the four
+ * weights are the same for all of them. `topLeft` is the pixel left of and above the first; from
+ * there columns + 3 bytes are read of each row and the one below the last.
+ */
+NOVELVIEW_FOR_ANY void Interpolate(const std::uint8_t* topLeft, std::ptrdiff_t stride, float fx,
+  float fy, int rows, int columns, float* values)
+{
+  InterpolateBlocks<FourFloats, FourInts>(topLeft, stride, fx, fy, rows, columns, values);
+}
+
+#ifdef NOVELVIEW_FOR_AVX2
+NOVELVIEW_FOR_AVX2 void Interpolate(const std::uint8_t* topLeft, std::ptrdiff_t stride, float fx,
+  float fy, int rows, int columns, float* values)
+{
+  InterpolateBlocks<Floats, EightInts>(topLeft, stride, fx, fy, rows, columns, values);
+}
+#endif
 
 /** The same for a window that reaches over the frame's border, where the border's pixels go on. */
 void InterpolateAtBorder(const ImageRef<const std::uint8_t>& image, int firstX, int firstY,

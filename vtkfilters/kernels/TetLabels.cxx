@@ -110,6 +110,7 @@ public:
         tet = tet < 0 ? -1 : poleOfTet[tet];
       }
     }
+    this->Labels.resize(this->Poles.size(), Side::Unknown);
   }
 
   /** What is known from the start: poles with a far corner are outside. */
@@ -161,7 +162,7 @@ public:
       const int id = level.back();
       level.pop_back();
       Pole& pole = this->Poles[id];
-      if (pole.Label != Side::Unknown || pole.Queued != this->Highest)
+      if (this->Labels[id] != Side::Unknown || pole.Queued != this->Highest)
       {
         continue;
       }
@@ -173,7 +174,7 @@ public:
       }
       const bool inside =
         pole.Support[0] > pole.Support[1] && !this->Complex.TouchesCorner(pole.Tet);
-      pole.Label = inside ? Side::Inside : Side::Outside;
+      this->Labels[id] = inside ? Side::Inside : Side::Outside;
       this->TellOppositePoles(id);
       this->TellNeighbors(id);
     }
@@ -192,7 +193,6 @@ private:
     int Queued = -1;               ///< highest level in the queue
     double Evidence[2] = { 0, 0 }; ///< inside, outside: the strongest
     double Support[2] = { 0, 0 };  ///< inside, outside: sum of the cubes of all
-    Side Label = Side::Unknown;
 
     int Level() const
     {
@@ -204,11 +204,11 @@ private:
 
   void AddEvidence(int id, Side side, double amount)
   {
-    Pole& pole = this->Poles[id];
-    if (pole.Label != Side::Unknown || !(amount > 0))
+    if (this->Labels[id] != Side::Unknown || !(amount > 0))
     {
       return;
     }
+    Pole& pole = this->Poles[id];
     pole.Support[side == Side::Outside] += amount * amount * amount;
     double& old = pole.Evidence[side == Side::Outside];
     if (amount > old)
@@ -247,7 +247,7 @@ private:
         const Eigen::Vector3d& p = this->Complex.Points[sample];
         const Eigen::Vector3d a = pole.Centre - p;
         const Eigen::Vector3d b = this->Poles[other].Centre - p;
-        this->AddEvidence(other, Opposite(pole.Label), -a.dot(b) / (a.norm() * b.norm()));
+        this->AddEvidence(other, Opposite(this->Labels[id]), -a.dot(b) / (a.norm() * b.norm()));
       }
     }
   }
@@ -268,21 +268,22 @@ private:
         if (other < this->Complex.NumberOfSamples && this->ToldBy[other] != id)
         {
           this->ToldBy[other] = id;
-          this->TellPoles(this->Poles[id], this->PolesOfSample[other]);
+          this->TellPoles(id, this->PolesOfSample[other]);
         }
       }
     }
   }
 
-  void TellPoles(const Pole& teller, const std::array<int, 2>& poles)
+  void TellPoles(int id, const std::array<int, 2>& poles)
   {
-    for (int id : poles)
+    const Pole& teller = this->Poles[id];
+    for (int other : poles)
     {
-      if (id >= 0 && this->Poles[id].Label == Side::Unknown)
+      if (other >= 0 && this->Labels[other] == Side::Unknown)
       {
-        const Pole& pole = this->Poles[id];
-        this->AddEvidence(
-          id, teller.Label, BallAgreement(teller.Centre, teller.Radius, pole.Centre, pole.Radius));
+        const Pole& pole = this->Poles[other];
+        this->AddEvidence(other, this->Labels[id],
+          BallAgreement(teller.Centre, teller.Radius, pole.Centre, pole.Radius));
       }
     }
   }
@@ -294,9 +295,9 @@ private:
     {
       labels[tet] = this->Complex.TouchesCorner(tet) ? Side::Outside : Side::Unknown;
     }
-    for (const Pole& pole : this->Poles)
+    for (std::size_t id = 0; id < this->Poles.size(); ++id)
     {
-      labels[pole.Tet] = pole.Label;
+      labels[this->Poles[id].Tet] = this->Labels[id];
     }
     return labels;
   }
@@ -305,6 +306,7 @@ private:
   std::vector<std::array<int, 2>> PolesOfSample; ///< places in Poles, -1 = none
   const EdgeLists Edges;
   std::vector<Pole> Poles;             ///< in the order of their tetrahedra
+  std::vector<Side> Labels;            ///< of the poles; apart, since most are asked for only that
   std::vector<int> ToldBy;             ///< per sample the pole that told its poles last
   std::vector<std::vector<int>> Queue; ///< per level the poles, the last one first
   int Highest = -1;                    ///< no level above has a pole
