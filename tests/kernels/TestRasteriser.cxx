@@ -54,6 +54,7 @@ TEST(Rasteriser, AgreesWithRayCastingOnATriangleSoup)
   const Camera camera = SkewedCamera();
   const ItemBuffer nearest = Rasterise(mesh, camera);
   const DepthRange range = RasteriseRange(mesh, camera);
+  EXPECT_EQ(RasteriseDepth(mesh, camera).Values, nearest.Depth.Values);
   int compared = 0;
   for (int y = 0; y < camera.Height; ++y)
   {

@@ -124,9 +124,12 @@ public:
     }
   }
 
-  /** Puts the depths of the pixels of a box into a picture of nearest ones; see RasteriseDepth(). */
-  [[gnu::always_inline]] inline void DrawNearest(
-    const PixelBox& box, int width, float* nearest) const
+  /**
+   * Puts the depths of the pixels of a box into a picture of the nearest, and one of the farthest
+   * unless that is null. Four pixels at once: up to three after the last one must be there.
+   */
+  [[gnu::always_inline]] inline void Draw(
+    const PixelBox& box, int width, float* nearest, float* farthest) const
   {
     using Doubles [[gnu::vector_size(32)]] = double;
     using Floats [[gnu::vector_size(16)]] = float;
@@ -147,11 +150,17 @@ public:
           Floats);
         const auto covered = __builtin_convertvector(
           (w0 >= 0) & (w1 >= 0) & (w2 >= 0) & (x < static_cast<double>(box.XEnd)), Ints);
-        float* at = nearest + static_cast<std::ptrdiff_t>(y) * width + first;
+        const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(y) * width + first;
         Floats before;
-        std::memcpy(&before, at, sizeof(before));
-        const Floats after = (covered & (depth < before)) ? depth : before;
-        std::memcpy(at, &after, sizeof(after));
+        std::memcpy(&before, nearest + at, sizeof(before));
+        Floats after = (covered & (depth < before)) ? depth : before;
+        std::memcpy(nearest + at, &after, sizeof(after));
+        if (farthest)
+        {
+          std::memcpy(&before, farthest + at, sizeof(before));
+          after = (covered & (depth > before)) ? depth : before;
+          std::memcpy(farthest + at, &after, sizeof(after));
+        }
       }
     }
   }
@@ -254,37 +263,38 @@ private:
   std::vector<std::vector<int>> CellsOfBand;
 };
 
-/**
- * Calls take(x, y, depth, cellId) for every pixel of every triangle; in parallel, but for each pixel
- * one after the other in the order of the triangles' ids.
- */
-template <class Take>
-void DrawMesh(
-  const TriangleMesh& mesh, const Camera& camera, const Execution& execution, const Take& take)
-{
-  const TriangleBands bands(mesh, camera, 0, execution);
-  bands.ForEach(
-    [&](int cellId, const ProjectedTriangle& triangle, const PixelBox& box)
-    {
-      const TriangleDepth depths(triangle);
-      for (int y = box.YBegin; y < box.YEnd; ++y)
-      {
-        depths.ForRow(y, box.XBegin, box.XEnd - box.XBegin,
-          [&](int i, float depth) { take(box.XBegin + i, y, depth, cellId); });
-      }
-    });
-}
-
-NOVELVIEW_CLONES void DrawNearest(const std::vector<Eigen::Vector3i>& triangles,
-  const std::vector<ProjectedPoint>& points, int width, int height, float* nearest)
+NOVELVIEW_CLONES void DrawTriangles(const std::vector<Eigen::Vector3i>& triangles,
+  const std::vector<ProjectedPoint>& points, int width, int height, float* nearest, float* farthest)
 {
   for (const Eigen::Vector3i& t : triangles)
   {
     const ProjectedTriangle triangle(points[t[0]], points[t[1]], points[t[2]]);
     if (triangle.Drawn())
     {
-      TriangleDepth(triangle).DrawNearest(triangle.Box(0, width, height), width, nearest);
+      TriangleDepth(triangle).Draw(triangle.Box(0, width, height), width, nearest, farthest);
     }
+  }
+}
+
+/** Depths of a mesh in a picture, in one thread; `farthest` may be null. */
+void DrawDepths(
+  const TriangleMesh& mesh, const Camera& camera, Image<float>& nearest, Image<float>* farthest)
+{
+  const std::vector<ProjectedPoint> points = ProjectPoints(mesh, camera, {});
+  nearest = Image<float>(camera.Width, camera.Height, 1, NoDepth);
+  const std::size_t size = nearest.Values.size();
+  nearest.Values.resize(size + 3);
+  if (farthest)
+  {
+    *farthest = Image<float>(camera.Width, camera.Height, 1, 0.f);
+    farthest->Values.resize(size + 3);
+  }
+  DrawTriangles(mesh.Triangles, points, camera.Width, camera.Height, nearest.Values.data(),
+    farthest ? farthest->Values.data() : nullptr);
+  nearest.Values.resize(size);
+  if (farthest)
+  {
+    farthest->Values.resize(size);
   }
 }
 }
@@ -294,14 +304,23 @@ ItemBuffer Rasterise(const TriangleMesh& mesh, const Camera& camera, const Execu
   ItemBuffer buffer;
   buffer.CellId = Image<int>(camera.Width, camera.Height, 1, -1);
   buffer.Depth = Image<float>(camera.Width, camera.Height, 1, NoDepth);
-  DrawMesh(mesh, camera, execution,
-    [&](int x, int y, float depth, int cellId)
+  const TriangleBands bands(mesh, camera, 0, execution);
+  bands.ForEach(
+    [&](int cellId, const ProjectedTriangle& triangle, const PixelBox& box)
     {
-      // Triangles come in the order of their ids, so "nearer" alone lets the lowest id win ties.
-      if (depth < buffer.Depth(x, y))
+      const TriangleDepth depths(triangle);
+      for (int y = box.YBegin; y < box.YEnd; ++y)
       {
-        buffer.Depth(x, y) = depth;
-        buffer.CellId(x, y) = cellId;
+        depths.ForRow(y, box.XBegin, box.XEnd - box.XBegin,
+          [&](int i, float depth)
+          {
+            // Triangles come in the order of their ids, so "nearer" alone lets the lowest id win.
+            if (depth < buffer.Depth(box.XBegin + i, y))
+            {
+              buffer.Depth(box.XBegin + i, y) = depth;
+              buffer.CellId(box.XBegin + i, y) = cellId;
+            }
+          });
       }
     });
   return buffer;
@@ -309,27 +328,15 @@ ItemBuffer Rasterise(const TriangleMesh& mesh, const Camera& camera, const Execu
 
 Image<float> RasteriseDepth(const TriangleMesh& mesh, const Camera& camera)
 {
-  const std::vector<ProjectedPoint> points = ProjectPoints(mesh, camera, {});
-  Image<float> depth(camera.Width, camera.Height, 1, NoDepth);
-  const std::size_t size = depth.Values.size();
-  depth.Values.resize(size + 3); // four pixels are drawn at once
-  DrawNearest(mesh.Triangles, points, camera.Width, camera.Height, depth.Values.data());
-  depth.Values.resize(size);
+  Image<float> depth;
+  DrawDepths(mesh, camera, depth, nullptr);
   return depth;
 }
 
-DepthRange RasteriseRange(
-  const TriangleMesh& mesh, const Camera& camera, const Execution& execution)
+DepthRange RasteriseRange(const TriangleMesh& mesh, const Camera& camera)
 {
   DepthRange range;
-  range.Nearest = Image<float>(camera.Width, camera.Height, 1, NoDepth);
-  range.Farthest = Image<float>(camera.Width, camera.Height, 1, 0.f);
-  DrawMesh(mesh, camera, execution,
-    [&](int x, int y, float depth, int)
-    {
-      range.Nearest(x, y) = std::min(range.Nearest(x, y), depth);
-      range.Farthest(x, y) = std::max(range.Farthest(x, y), depth);
-    });
+  DrawDepths(mesh, camera, range.Nearest, &range.Farthest);
   return range;
 }
 

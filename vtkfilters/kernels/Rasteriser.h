@@ -32,7 +32,7 @@ struct ItemBuffer
 ItemBuffer Rasterise(
   const TriangleMesh& mesh, const Camera& camera, const Execution& execution = {});
 
-/** Only the depths, and in one thread: for loops over cameras that are themselves parallel. */
+/** The depths of Rasterise(), in one thread: for loops over cameras that are themselves parallel. */
 Image<float> RasteriseDepth(const TriangleMesh& mesh, const Camera& camera);
 
 /** Between which depths a mesh lies, per pixel. */
@@ -42,9 +42,8 @@ struct DepthRange
   Image<float> Farthest; ///< 0 = background
 };
 
-/** The same, but of all triangles over a pixel the nearest and the farthest depth. */
-DepthRange RasteriseRange(
-  const TriangleMesh& mesh, const Camera& camera, const Execution& execution = {});
+/** The same for the nearest and the farthest of all triangles over a pixel. */
+DepthRange RasteriseRange(const TriangleMesh& mesh, const Camera& camera);
 
 /**
  * How much deeper a point at depth z that projects to `pixel` lies than the surface a depth image

@@ -21,25 +21,25 @@ using Eigen::Vector3d;
 std::vector<double> PriorsOf(const View& key, const FusedField& field, const TriangleMesh& hull,
   double footprint, const SilhouettePriorOptions& options)
 {
-  const ItemBuffer front = Rasterise(hull, key.Cam);
+  const Image<float> front = RasteriseDepth(hull, key.Cam);
   const double reach = BoundingDiagonal(hull.Points);
   const Vector3d centre = key.Cam.Centre();
   double area = 0;
-  for (const int cellId : front.CellId.Values)
+  for (const float depth : front.Values)
   {
-    area += cellId >= 0;
+    area += std::isfinite(depth);
   }
   const int step = std::max(1, static_cast<int>(std::sqrt(area / options.PixelsPerKey)));
   std::vector<double> priors;
-  for (int y = step / 2; y < front.Depth.Height; y += step)
+  for (int y = step / 2; y < front.Height; y += step)
   {
-    for (int x = step / 2; x < front.Depth.Width; x += step)
+    for (int x = step / 2; x < front.Width; x += step)
     {
       // Right at the contour half of the pixels would be lost by any measure.
-      if (front.Hit(x, y) && key.ContourDistance(x, y) > 1.5)
+      if (std::isfinite(front(x, y)) && key.ContourDistance(x, y) > 1.5)
       {
         const Vector3d direction = key.Cam.Unproject(Vector2d(x, y), 1) - centre;
-        const double from = front.Depth(x, y) - 1.5 * footprint;
+        const double from = front(x, y) - 1.5 * footprint;
         priors.push_back(
           field.PriorNeeded(centre, direction, from, from + reach, 2 * footprint, options.Least));
       }
