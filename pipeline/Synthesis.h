@@ -46,6 +46,9 @@ struct SynthesisOptions
   std::optional<std::array<double, 6>> HullBox; ///< x0 y0 z0 x1 y1 z1; found when not given
   bool HullKeepAll = false;                     ///< keep every component, not only the largest
 
+  // ---- visibility culler
+  double LongestEdgePx = 0; ///< cut longer edges of what the camera sees at their middle; 0 = none
+
   // ---- outline deformer
   int OutlineIterations = 10;
   double OutlineAlpha = 0.3; ///< weight of the contour energy
@@ -69,7 +72,7 @@ struct SynthesisOptions
   double OcclusionSoftness = 0; ///< pixel footprints; 0 = hard
   bool ExposureGains = false;   ///< bring the photographs to one exposure; needs depth maps
   int RimSamples = 1;           ///< sub-rays per pixel side at the rim; 1 = no antialiasing
-  bool SoftRim = false; ///< also draw pixels of which less than half is covered; for films
+  bool SoftRim = false;         ///< also draw pixels of which less than half is covered; for films
 };
 
 /** The defaults of a preset; throws Error on an unknown name. */

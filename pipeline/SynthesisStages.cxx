@@ -48,6 +48,8 @@ void SynthesisStages::SetHullOptions(const SynthesisOptions& options)
 
 void SynthesisStages::SetDeformerOptions(const SynthesisOptions& options)
 {
+  this->Culler->SetMaximumEdgeLength(options.LongestEdgePx);
+
   this->Outline->SetNumberOfIterations(options.OutlineIterations);
   this->Outline->SetContourWeight(options.OutlineAlpha);
   this->Outline->SetSmoothWeight(options.OutlineBeta);

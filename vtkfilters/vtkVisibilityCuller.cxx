@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkVisibilityCuller.h"
 
+#include "EdgeSplitting.h"
 #include "FilterSupport.h"
 #include "Rasteriser.h"
 #include "ViewAccess.h"
@@ -51,6 +52,47 @@ novelview::TriangleMesh Extract(
     part.Triangles.push_back(triangle);
   }
   return part;
+}
+
+/** The data of points that remain, and then of the middles of cut edges between two of them. */
+void SetPointData(vtkPointData* input, const std::vector<std::uint8_t>& visible,
+  const std::vector<int>& keptIds, const std::vector<std::array<int, 2>>& cutEdges,
+  vtkPointData* output)
+{
+  const auto kept = static_cast<vtkIdType>(keptIds.size());
+  const vtkIdType count = kept + static_cast<vtkIdType>(cutEdges.size());
+  vtkNew<vtkUnsignedCharArray> visibleArray;
+  visibleArray->SetName("Visible");
+  visibleArray->SetNumberOfTuples(count);
+  vtkNew<vtkIdTypeArray> idArray;
+  idArray->SetName("OriginalPointIds");
+  idArray->SetNumberOfTuples(count);
+  output->CopyAllocate(input, count);
+  for (vtkIdType ptId = 0; ptId < kept; ++ptId)
+  {
+    visibleArray->SetValue(ptId, visible[keptIds[ptId]]);
+    idArray->SetValue(ptId, keptIds[ptId]);
+    output->CopyData(input, keptIds[ptId], ptId);
+  }
+  for (vtkIdType ptId = kept; ptId < count; ++ptId)
+  {
+    const int a = keptIds[cutEdges[ptId - kept][0]];
+    const int b = keptIds[cutEdges[ptId - kept][1]];
+    visibleArray->SetValue(ptId, visible[a] && visible[b]);
+    idArray->SetValue(ptId, -1);
+    output->CopyData(input, a, ptId); // ids and flags have no mean
+    for (int i = 0; i < output->GetNumberOfArrays(); ++i)
+    {
+      vtkDataArray* array = output->GetArray(i);
+      if (array && (array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE))
+      {
+        vtkDataArray* from = input->GetArray(array->GetName());
+        array->InterpolateTuple(ptId, a, from, b, from, 0.5);
+      }
+    }
+  }
+  output->AddArray(visibleArray);
+  output->AddArray(idArray);
 }
 
 void CheckCamera(const novelview::Camera& camera, const novelview::TriangleMesh& mesh,
@@ -125,29 +167,18 @@ int vtkVisibilityCuller::RequestData(
       { return visible[t[0]] || visible[t[1]] || visible[t[2]]; };
       std::vector<int> keptIds;
       std::vector<int> removedIds;
-      vtkPolyData* kept = vtkPolyData::GetData(outputs, 0);
-      novelview::FromTriangleMesh(Extract(mesh, anyVisible, keptIds), kept);
+      novelview::SplitMesh kept{ Extract(mesh, anyVisible, keptIds), {} };
+      if (this->MaximumEdgeLength > 0)
+      {
+        kept = novelview::SplitLongEdges(kept.Mesh, camera, this->MaximumEdgeLength);
+      }
+      vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
+      novelview::FromTriangleMesh(kept.Mesh, output);
+      SetPointData(input->GetPointData(), visible, keptIds, kept.Ends, output->GetPointData());
       novelview::FromTriangleMesh(
         Extract(
           mesh, [&](const Eigen::Vector3i& t) { return !anyVisible(t); }, removedIds),
         vtkPolyData::GetData(outputs, 1));
-
-      const auto count = static_cast<vtkIdType>(keptIds.size());
-      vtkNew<vtkUnsignedCharArray> visibleArray;
-      visibleArray->SetName("Visible");
-      visibleArray->SetNumberOfTuples(count);
-      vtkNew<vtkIdTypeArray> idArray;
-      idArray->SetName("OriginalPointIds");
-      idArray->SetNumberOfTuples(count);
-      kept->GetPointData()->CopyAllocate(input->GetPointData(), count);
-      for (vtkIdType ptId = 0; ptId < count; ++ptId)
-      {
-        visibleArray->SetValue(ptId, visible[keptIds[ptId]]);
-        idArray->SetValue(ptId, keptIds[ptId]);
-        kept->GetPointData()->CopyData(input->GetPointData(), keptIds[ptId], ptId);
-      }
-      kept->GetPointData()->AddArray(visibleArray);
-      kept->GetPointData()->AddArray(idArray);
     });
 }
 
@@ -157,4 +188,5 @@ void vtkVisibilityCuller::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   novelview::PrintCamera(os, indent, this->Camera);
   os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "MaximumEdgeLength: " << this->MaximumEdgeLength << "\n";
 }

@@ -11,12 +11,14 @@
  *  - in 0: vtkPolyData, triangles.
  *  - out 0: vtkPolyData, the triangles that remain with the points they use. Point data pass
  *    through; added: `Visible` (uint8, 1 = visible) and `OriginalPointIds` (id of the point in the
- *    input).
+ *    input; -1 for the middle of an edge that was cut, which has the mean of its ends' floating-point
+ *    data, the integers of one end, and is visible when both are).
  *  - out 1: vtkPolyData, the triangles removed, likewise (without arrays): what still stands
  *    between the reference cameras and the object.
  *
  * Differs from the paper: the same definition, found through a grid over the image plane instead of
- * comparing each vertex with every triangle.
+ * comparing each vertex with every triangle. With MaximumEdgeLength what remains is made as fine as
+ * this camera's pixels ask for, so that the mesh of the whole object need not be.
  *
  * Limits: a triangle with a corner behind the camera hides nothing.
  *
@@ -53,6 +55,15 @@ public:
   vtkGetMacro(Tolerance, double);
   ///@}
 
+  ///@{
+  /**
+   * Edges that remain and are longer than this in the camera's picture, pixels, are cut once at
+   * their middle. Default 0, which leaves all whole; up to 1000.
+   */
+  vtkSetClampMacro(MaximumEdgeLength, double, 0.0, 1000.0);
+  vtkGetMacro(MaximumEdgeLength, double);
+  ///@}
+
   vtkMTimeType GetMTime() override;
 
 protected:
@@ -63,6 +74,7 @@ protected:
 
   vtkSmartPointer<vtkPinholeCamera> Camera;
   double Tolerance = 1e-6;
+  double MaximumEdgeLength = 0;
 
 private:
   vtkVisibilityCuller(const vtkVisibilityCuller&) = delete;

@@ -11,7 +11,8 @@
  *     f(x) = min over the views that see x of  d_v(u_v(x)) z_v(x) / f_v.
  *
  * f is evaluated in an octree; each lattice cell with corners on both sides gives one sample, which
- * is root-found on f = 0.
+ * is root-found on f = 0, and those that crowd together (closer than 0.7 spacings, normals within 60
+ * degrees) are thinned out.
  *
  * Ports:
  *  - in 0: vtkMultiBlockDataSet, the views (a vtkImageData block each, see ViewAccess.h) with point

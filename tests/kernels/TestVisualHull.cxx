@@ -138,10 +138,59 @@ TEST(VisualHull, SamplesLeaveNoHoles)
     {
       nearest = std::min(nearest, (sample - onHull).norm());
     }
-    // Every cell the surface crosses holds a sample: no further than a cell's diagonal, and as
-    // much again where the surface only touches a corner of its cell.
+    // Every cell the surface crosses has a sample, in it or not a spacing away: no further than a
+    // cell's diagonal, and as much again where the surface only touches a corner of its cell.
     EXPECT_LT(nearest, 2 * std::sqrt(3.0) * hull.Spacing);
   }
+}
+
+TEST(VisualHull, SamplesOfOneSurfaceKeepTheirDistance)
+{
+  const VisualHullResult hull = ComputeVisualHull(ViewsOf(SpherePhotos()));
+  const std::vector<Vector3d>& points = hull.Samples.Points;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      if ((points[i] - points[j]).norm() < 0.699 * hull.Spacing)
+      {
+        EXPECT_LT(hull.Samples.Normals[i].dot(hull.Samples.Normals[j]), 0.501);
+      }
+    }
+  }
+  // A sphere of so many spacings' radius, at one sample per 0.7 x 0.7 at the densest.
+  const double area = 4 * 3.1416 * Radius * Radius / (hull.Spacing * hull.Spacing);
+  EXPECT_LT(points.size(), area / 0.49);
+  EXPECT_GT(points.size(), area / 2) << "and more than half of one per spacing squared stay";
+}
+
+TEST(VisualHull, BothSidesOfAThinSheetAreSampled)
+{
+  const double half = 0.025;
+  const auto photos = TakeAll(Box(Vector3d(-0.4, -0.4, -half), Vector3d(0.4, 0.4, half)),
+    Plain(200, 200, 200), Ring(8, 45, Focal));
+  VisualHullOptions options;
+  options.SpacingPx = 7;
+  const double spacing = options.SpacingPx * MedianFootprint(ViewsOf(photos), Vector3d::Zero());
+  ASSERT_LT(2 * half, 0.65 * spacing) << "the sheet is to be thinner than samples' distance";
+  // With a plane of the lattice in the middle of the sheet, which else falls between two.
+  options.Box =
+    Eigen::AlignedBox3d(Vector3d::Constant(-10 * spacing), Vector3d::Constant(10 * spacing));
+  const VisualHullResult hull = ComputeVisualHull(ViewsOf(photos), options);
+  int front = 0;
+  int back = 0;
+  for (std::size_t i = 0; i < hull.Samples.Points.size(); ++i)
+  {
+    const Vector3d& p = hull.Samples.Points[i];
+    if (std::max(std::abs(p.x()), std::abs(p.y())) < 0.3)
+    {
+      ++(hull.Samples.Normals[i].z() > 0 ? front : back);
+    }
+  }
+  // 0.6 x 0.6 of sheet, a sample per spacing squared.
+  const double expected = 0.36 / (spacing * spacing);
+  EXPECT_GT(front, 0.6 * expected);
+  EXPECT_GT(back, 0.6 * expected);
 }
 
 TEST(VisualHull, TheSmallerOfTwoObjectsIsDroppedAndCounted)

@@ -3,6 +3,7 @@
 #include "support/VtkScene.h"
 #include "vtkVisibilityCuller.h"
 
+#include <vtkDoubleArray.h>
 #include <vtkIdTypeArray.h>
 #include <vtkPointData.h>
 
@@ -89,6 +90,40 @@ TEST(VisibilityCuller, PointDataPassThroughAndPointsKnowWhereTheyCameFrom)
   EXPECT_EQ(input->GetPointData()->GetNumberOfArrays(), 1) << "the input is left alone";
 }
 
+TEST(VisibilityCuller, WhatRemainsIsMadeAsFineAsAsked)
+{
+  const TriangleMesh mesh = SphereMesh(Vector3d::Zero(), 0.5, 3);
+  const auto input = ToPolyData(mesh);
+  vtkNew<vtkDoubleArray> own;
+  own->SetName("Own");
+  for (const Vector3d& point : mesh.Points)
+  {
+    own->InsertNextValue(point.x());
+  }
+  input->GetPointData()->AddArray(own);
+  const auto culler = CullerOf(mesh, OnRing(10));
+  culler->SetInputData(input);
+  culler->Update();
+  const auto whole = Geometry(culler->GetOutput());
+  const auto removed = Geometry(culler->GetOutput(1));
+  culler->SetMaximumEdgeLength(4);
+  culler->Update();
+  const auto fine = Geometry(culler->GetOutput());
+  EXPECT_GT(fine.second.size(), 2 * whole.second.size());
+  EXPECT_EQ(Geometry(culler->GetOutput(1)), removed);
+  vtkPointData* data = culler->GetOutput()->GetPointData();
+  for (std::size_t ptId = 0; ptId < fine.first.size(); ++ptId)
+  {
+    const auto id = static_cast<vtkIdType>(ptId);
+    EXPECT_EQ(
+      data->GetArray("OriginalPointIds")->GetComponent(id, 0) < 0, ptId >= whole.first.size());
+    EXPECT_NEAR(data->GetArray("Own")->GetComponent(id, 0), fine.first[ptId].x(), 1e-12)
+      << "the middle has the mean of its ends";
+  }
+  EXPECT_EQ(
+    data->GetArray("Visible")->GetNumberOfTuples(), static_cast<vtkIdType>(fine.first.size()));
+}
+
 TEST(VisibilityCuller, FollowsItsCameraAndRunsTwice)
 {
   const TriangleMesh mesh = SphereMesh(Vector3d::Zero(), 0.5, 3);
@@ -141,7 +176,8 @@ TEST(VisibilityCuller, AnEmptyMeshIsNoError)
 
 TEST(VisibilityCuller, PrintsEveryMember)
 {
-  ExpectPrints(CullerOf({}, OnRing(0)), { "Camera", "CameraMatrix", "Tolerance" });
+  ExpectPrints(
+    CullerOf({}, OnRing(0)), { "Camera", "CameraMatrix", "Tolerance", "MaximumEdgeLength" });
   EXPECT_THAT(
     Printed(vtkSmartPointer<vtkVisibilityCuller>::New()), testing::HasSubstr("Camera: (none)"));
 }

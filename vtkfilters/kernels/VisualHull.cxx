@@ -286,36 +286,44 @@ std::vector<CellSample> SampleBlocks(const SilhouetteField& field, const Lattice
   return samples;
 }
 
+/** A number that orders cells by z, then y, then x; also for those one outside the lattice. */
+std::uint64_t KeyOf(const Vector3i& cell)
+{
+  return (static_cast<std::uint64_t>(cell.z() + 1) << 42) |
+    (static_cast<std::uint64_t>(cell.y() + 1) << 21) | static_cast<std::uint64_t>(cell.x() + 1);
+}
+
+/** Keys and places of the samples, ascending. */
+using SortedCells = std::vector<std::pair<std::uint64_t, int>>;
+
+SortedCells SortCells(const std::vector<CellSample>& samples)
+{
+  SortedCells cells(samples.size());
+  for (std::size_t i = 0; i < samples.size(); ++i)
+  {
+    cells[i] = { KeyOf(samples[i].Cell), static_cast<int>(i) };
+  }
+  std::sort(cells.begin(), cells.end());
+  return cells;
+}
+
 /** Component number per sample; cells that touch (26 neighbours) are connected. */
 class ComponentFinder
 {
 public:
-  explicit ComponentFinder(const std::vector<CellSample>& samples)
+  ComponentFinder(const std::vector<CellSample>& samples, const SortedCells& cells)
     : Sets(static_cast<int>(samples.size()))
   {
-    std::vector<std::pair<std::uint64_t, int>> keys(samples.size());
-    for (std::size_t i = 0; i < samples.size(); ++i)
+    for (const auto& [key, sampleId] : cells)
     {
-      keys[i] = { Key(samples[i].Cell), static_cast<int>(i) };
-    }
-    std::sort(keys.begin(), keys.end());
-    for (const auto& [key, sampleId] : keys)
-    {
-      this->ConnectForward(samples[sampleId].Cell, sampleId, keys);
+      this->ConnectForward(samples[sampleId].Cell, sampleId, cells);
     }
   }
 
   int Root(int i) { return this->Sets.Find(i); }
 
 private:
-  static std::uint64_t Key(const Vector3i& cell)
-  {
-    return (static_cast<std::uint64_t>(cell.z() + 1) << 42) |
-      (static_cast<std::uint64_t>(cell.y() + 1) << 21) | static_cast<std::uint64_t>(cell.x() + 1);
-  }
-
-  void ConnectForward(
-    const Vector3i& cell, int sampleId, const std::vector<std::pair<std::uint64_t, int>>& keys)
+  void ConnectForward(const Vector3i& cell, int sampleId, const SortedCells& keys)
   {
     for (int dz = 0; dz <= 1; ++dz)
     {
@@ -323,8 +331,8 @@ private:
       {
         // Three neighbours in x have consecutive keys.
         const int dx = dz || dy ? -1 : 1;
-        const std::uint64_t low = Key(cell + Vector3i(dx, dy, dz));
-        const std::uint64_t high = Key(cell + Vector3i(1, dy, dz));
+        const std::uint64_t low = KeyOf(cell + Vector3i(dx, dy, dz));
+        const std::uint64_t high = KeyOf(cell + Vector3i(1, dy, dz));
         auto it = std::lower_bound(keys.begin(), keys.end(), std::make_pair(low, -1));
         for (; it != keys.end() && it->first <= high; ++it)
         {
@@ -337,9 +345,55 @@ private:
   DisjointSets Sets;
 };
 
-void KeepLargestComponent(std::vector<CellSample>& samples, bool keepAll, VisualHullResult& result)
+/** Samples of like normals keep this distance, in spacings; surfaces across the lattice have more. */
+constexpr double LeastDistance = 0.7;
+
+/** Normals are alike up to 60 degrees: the two sides of a thin sheet are not. */
+constexpr double LikeCosine = 0.5;
+
+/**
+ * Which samples stay when, in the order of their cells, each that is too close to one that stays is
+ * left out. Cells on a slope lie closer together than the spacing, and what they add to the crust's
+ * cost they do not add to its shape.
+ */
+std::vector<char> ThinOut(
+  const std::vector<CellSample>& samples, const SortedCells& cells, double spacing)
 {
-  ComponentFinder components(samples);
+  const double least = LeastDistance * spacing;
+  const auto tooClose = [&](const CellSample& a, const CellSample& b)
+  {
+    return (a.Point - b.Point).squaredNorm() < least * least && a.Normal.dot(b.Normal) > LikeCosine;
+  };
+  // The neighbours that come before a cell lie in five rows; each has a place that only advances.
+  const Vector3i rows[5] = { { -1, -1, -1 }, { -1, 0, -1 }, { -1, 1, -1 }, { -1, -1, 0 },
+    { -1, 0, 0 } };
+  std::size_t begins[5] = {};
+  std::vector<char> stays(samples.size(), 1);
+  for (const auto& [key, sampleId] : cells)
+  {
+    const CellSample& sample = samples[sampleId];
+    for (int row = 0; row < 5; ++row)
+    {
+      const std::uint64_t low = KeyOf(sample.Cell + rows[row]);
+      while (cells[begins[row]].first < low)
+      {
+        ++begins[row];
+      }
+      for (std::size_t i = begins[row]; cells[i].first <= low + 2 && cells[i].first < key; ++i)
+      {
+        const int other = cells[i].second;
+        stays[sampleId] &= !(stays[other] && tooClose(samples[other], sample));
+      }
+    }
+  }
+  return stays;
+}
+
+/** Leaves the samples that `stays` marks, of all components or of the largest. */
+void KeepComponents(std::vector<CellSample>& samples, const SortedCells& cells,
+  const std::vector<char>& stays, bool keepAll, VisualHullResult& result)
+{
+  ComponentFinder components(samples, cells);
   std::vector<std::size_t> sizes(samples.size());
   for (std::size_t i = 0; i < samples.size(); ++i)
   {
@@ -347,22 +401,19 @@ void KeepLargestComponent(std::vector<CellSample>& samples, bool keepAll, Visual
   }
   result.Components = static_cast<int>(
     std::count_if(sizes.begin(), sizes.end(), [](std::size_t size) { return size > 0; }));
-  if (keepAll || result.Components <= 1)
-  {
-    return;
-  }
   const int largest =
     static_cast<int>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
   std::vector<CellSample> kept;
   for (std::size_t i = 0; i < samples.size(); ++i)
   {
-    if (components.Root(static_cast<int>(i)) == largest)
+    const bool wanted = keepAll || components.Root(static_cast<int>(i)) == largest;
+    if (stays[i] && wanted)
     {
       kept.push_back(samples[i]);
     }
+    result.DroppedSamples += stays[i] && !wanted;
   }
-  result.DroppedComponents = result.Components - 1;
-  result.DroppedSamples = samples.size() - kept.size();
+  result.DroppedComponents = keepAll ? 0 : result.Components - 1;
   samples = std::move(kept);
 }
 
@@ -466,7 +517,9 @@ VisualHullResult ComputeVisualHull(
   {
     ThrowEmpty(views, result.Box);
   }
-  KeepLargestComponent(samples, options.KeepAllComponents, result);
+  const SortedCells cells = SortCells(samples);
+  KeepComponents(
+    samples, cells, ThinOut(samples, cells, result.Spacing), options.KeepAllComponents, result);
   CheckInsideBox(samples, result);
   result.Samples.Points.reserve(samples.size());
   result.Samples.Normals.reserve(samples.size());

@@ -15,7 +15,7 @@ namespace novelview
 {
 struct VisualHullOptions
 {
-  /** Distance between samples, in pixels of the photographs at the object's middle. [0.25, 64] */
+  /** Of the lattice, in pixels of the photographs at the object's middle. [0.25, 64] */
   double SpacingPx = 2.0;
   /** Where to search; found from the silhouettes when not given. */
   std::optional<Eigen::AlignedBox3d> Box;
@@ -36,7 +36,8 @@ struct VisualHullResult
 /**
  * Surface samples of the visual hull, the set f >= 0 of SilhouetteField: an octree finds the blocks
  * that the surface may pass through, every lattice cell of such a block with corners on both sides
- * gives one sample, which is moved onto f = 0 along the gradient and by bisection.
+ * gives one sample, which is moved onto f = 0 along the gradient and by bisection; of samples with
+ * like normals that are closer than 0.7 spacings the later ones are left out.
  *
  * Views need Mask and ContourDistance. Throws Error when the hull is empty (naming the view that
  * empties it) or reaches the box (the silhouettes do not bound the object there).
