@@ -15,6 +15,8 @@ namespace novelview
 namespace fs = std::filesystem;
 namespace
 {
+constexpr const char* PhotographsHelp = "folder of the photographs";
+
 /** What every command has. */
 struct CommonFlags
 {
@@ -67,13 +69,9 @@ CLI::App* AddCommand(
   return command;
 }
 
-void AddDataset(CLI::App& command, Parsed& parsed)
+void AddDataset(CLI::App& command, Parsed& parsed, const std::string& help)
 {
-  command
-    .add_option("dataset", parsed.Dataset,
-      "folder of the photographs, or a JSON job file that holds any of the options")
-    ->required()
-    ->type_name("DATASET");
+  command.add_option("dataset", parsed.Dataset, help)->required()->type_name("DATASET");
 }
 
 /** The options of a table, but for those that are given otherwise. */
@@ -103,9 +101,7 @@ void AddConvert(CLI::App& app, Parsed& parsed)
   ConvertOptions defaults;
   CLI::App* convert = AddCommand(
     app, "convert", "write a data set in another format, photographs and masks along", parsed);
-  convert->add_option("dataset", parsed.Dataset, "folder of the photographs")
-    ->required()
-    ->type_name("DATASET");
+  AddDataset(*convert, parsed, PhotographsHelp);
   convert->add_option("out", parsed.Out, "folder for the new data set")
     ->required()
     ->type_name("PATH");
@@ -118,9 +114,7 @@ void AddCheck(CLI::App& app, Parsed& parsed)
   CLI::App* check = AddCommand(app, "check",
     "examine a data set: files, masks, cameras, conventions; exit code 3 when something is wrong",
     parsed);
-  check->add_option("dataset", parsed.Dataset, "folder of the photographs")
-    ->required()
-    ->type_name("DATASET");
+  AddDataset(*check, parsed, PhotographsHelp);
   parsed.Check.AddTo(*check, Without(OptionsOf(defaults), "dataset"));
 }
 
@@ -129,20 +123,21 @@ void AddMask(CLI::App& app, Parsed& parsed)
   MaskOptions defaults;
   CLI::App* mask = AddCommand(
     app, "mask", "write a mask for every photograph, and a contact sheet to look at", parsed);
-  mask->add_option("dataset", parsed.Dataset, "folder of the photographs")
-    ->required()
-    ->type_name("DATASET");
+  AddDataset(*mask, parsed, PhotographsHelp);
   parsed.Mask.AddTo(*mask, OptionsOf(defaults));
 }
 
 /** A command on a data set; its table tells the defaults of the options. */
 template <class Options>
-void AddOnDataset(CLI::App& command, Parsed& parsed, OptionParser& parser)
+void AddOnDataset(CLI::App& app, const std::string& name, const std::string& help, Parsed& parsed,
+  OptionParser& parser)
 {
   Options defaults;
   defaults.Synthesis = DefaultsOf<Options>(defaults.Synthesis.Preset);
-  AddDataset(command, parsed);
-  parser.AddTo(command, Without(OptionsOf(defaults), "dataset"));
+  CLI::App* command = AddCommand(app, name, help, parsed);
+  AddDataset(*command, parsed,
+    "folder of the photographs, or a JSON job file that holds any of the options");
+  parser.AddTo(*command, Without(OptionsOf(defaults), "dataset"));
 }
 
 void AddCommands(CLI::App& app, Parsed& parsed, const Commands& commands)
@@ -154,33 +149,27 @@ void AddCommands(CLI::App& app, Parsed& parsed, const Commands& commands)
   if (commands.Run)
   {
     AddOnDataset<Job>(
-      *AddCommand(app, "run", "make one novel view and report everything about it", parsed), parsed,
-      parsed.Run);
+      app, "run", "make one novel view and report everything about it", parsed, parsed.Run);
   }
   if (commands.Render)
   {
     AddOnDataset<RenderOptions>(
-      *AddCommand(app, "render", "make many novel views from one hull and crust", parsed), parsed,
-      parsed.Render);
+      app, "render", "make many novel views from one hull and crust", parsed, parsed.Render);
   }
   if (commands.Orbit)
   {
     AddOnDataset<OrbitOptions>(
-      *AddCommand(app, "orbit", "make a film of the object from a moving camera", parsed), parsed,
-      parsed.Orbit);
+      app, "orbit", "make a film of the object from a moving camera", parsed, parsed.Orbit);
   }
   if (commands.Mesh)
   {
     AddOnDataset<MeshOptions>(
-      *AddCommand(app, "mesh", "make a textured mesh of the whole object", parsed), parsed,
-      parsed.Mesh);
+      app, "mesh", "make a textured mesh of the whole object", parsed, parsed.Mesh);
   }
   if (commands.Evaluate)
   {
-    AddOnDataset<EvaluateOptions>(
-      *AddCommand(
-        app, "evaluate", "compare novel views with photographs that no stage saw", parsed),
-      parsed, parsed.Evaluate);
+    AddOnDataset<EvaluateOptions>(app, "evaluate",
+      "compare novel views with photographs that no stage saw", parsed, parsed.Evaluate);
   }
   if (commands.Convert)
   {

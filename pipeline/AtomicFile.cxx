@@ -2,6 +2,7 @@
 #include "AtomicFile.h"
 
 #include "Error.h"
+#include "Threads.h"
 
 #include <fstream>
 #include <system_error>
@@ -13,6 +14,10 @@ namespace fs = std::filesystem;
 
 void WriteAtomically(const fs::path& path, const std::function<bool(const fs::path&)>& write)
 {
+  if (StopRequested())
+  {
+    throw Interrupted();
+  }
   std::error_code failure;
   if (!path.parent_path().empty())
   {

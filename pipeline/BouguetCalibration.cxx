@@ -335,14 +335,10 @@ DatasetFormat BouguetFormat()
   format.MaskFolder = "mask";
   format.MaskName = [](const std::string& name)
   { return fs::path(name).replace_extension(".png").string(); };
-  format.HoldsLenses = [](const std::vector<Photograph>& photographs)
+  format.HoldsLens = [](const Photograph& photograph)
   {
-    return std::all_of(photographs.begin(), photographs.end(),
-      [](const Photograph& photograph)
-      {
-        return photograph.Distortion.Kind == Lens::Model::Perspective &&
-          Trimmed(photograph.Distortion).Coefficients.size() <= MostCoefficients;
-      });
+    return photograph.Distortion.Kind == Lens::Model::Perspective &&
+      Trimmed(photograph.Distortion).Coefficients.size() <= MostCoefficients;
   };
   format.Compose = ComposeBouguet;
   return format;

@@ -20,7 +20,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace novelview
 {
@@ -47,13 +46,6 @@ vtkSmartPointer<vtkImageData> ColorAlone(vtkImageData* picture)
   alone->GetPointData()->SetScalars(picture->GetPointData()->GetArray(arrays::Color));
   return alone;
 }
-}
-
-std::string Formatted(const char* format, double value)
-{
-  char text[64];
-  std::snprintf(text, sizeof(text), format, value);
-  return text;
 }
 
 //------------------------------------------------------------------------------

@@ -40,9 +40,6 @@ inline constexpr int Gap = 8;
 inline constexpr int TitleHeight = 44;
 inline constexpr int HeaderHeight = 32;
 
-/** A number as printf would print it. */
-std::string Formatted(const char* format, double value);
-
 /** A rectangle of the window, pixels, (0, 0) = top left. */
 struct Box
 {

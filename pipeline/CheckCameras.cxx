@@ -2,10 +2,10 @@
 #include "CheckCameras.h"
 
 #include "Error.h"
+#include "NumberText.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace novelview
 {
@@ -13,9 +13,7 @@ namespace
 {
 std::string Rounded(double value)
 {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.4g", value);
-  return text;
+  return Formatted("%.4g", value);
 }
 
 /** The parts of one camera that speak for themselves. */

@@ -243,12 +243,8 @@ DatasetFormat ColmapFormat()
   format.PhotoFolder = "images";
   format.MaskFolder = "masks";
   format.MaskName = [](const std::string& name) { return name + ".png"; };
-  format.HoldsLenses = [](const std::vector<Photograph>& photographs)
-  {
-    return std::all_of(photographs.begin(), photographs.end(),
-      [](const Photograph& photograph)
-      { return Trimmed(photograph.Distortion).Coefficients.size() <= 8; });
-  };
+  format.HoldsLens = [](const Photograph& photograph)
+  { return Trimmed(photograph.Distortion).Coefficients.size() <= 8; };
   return format;
 }
 }

@@ -171,8 +171,8 @@ void ConvertDataset(const ConvertOptions& options, Console& console)
   const DatasetFormat& format = FormatOf(options.Format);
   const DatasetIndex index = ReadDatasetIndex(options.Dataset, options.Source);
   const std::vector<Photograph> photographs = WithoutExcluded(index, options.Exclude);
-  std::vector<Conversion> plan =
-    Plan(photographs, options.Undistort || !format.HoldsLenses(photographs));
+  const bool held = std::all_of(photographs.begin(), photographs.end(), format.HoldsLens);
+  std::vector<Conversion> plan = Plan(photographs, options.Undistort || !held);
   const std::string folderName =
     fs::weakly_canonical(fs::absolute(options.Out)).filename().string();
   const std::string name = folderName.empty() ? "cameras" : folderName;

@@ -10,20 +10,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace novelview
 {
 namespace fs = std::filesystem;
 namespace
 {
-std::string Formatted(const char* format, double value)
-{
-  char text[64];
-  std::snprintf(text, sizeof(text), format, value);
-  return text;
-}
-
 /** A word of a shell's command line. */
 std::string ShellWord(const std::string& word)
 {

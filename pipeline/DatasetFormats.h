@@ -49,8 +49,8 @@ struct DatasetFormat
   std::string MaskFolder;  ///< where masks go
   /** The name of a photograph's mask in there. */
   std::function<std::string(const std::string& name)> MaskName;
-  /** Whether the format has numbers for all these lenses. */
-  std::function<bool(const std::vector<Photograph>& photographs)> HoldsLenses;
+  /** Whether the format has numbers for the lens of a photograph. */
+  std::function<bool(const Photograph& photograph)> HoldsLens;
   /**
    * The files of a calibration, to be written in this order: the last one is what makes the folder
    * a data set. Photographs have names, sizes and cameras in the project's convention; where Mask is

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "EvaluationPage.h"
 
-#include "Canvas.h"
 #include "ErrorPicture.h"
+#include "NumberText.h"
 #include "OffscreenWindow.h"
 #include "ReportPictures.h"
 #include "RunPage.h"

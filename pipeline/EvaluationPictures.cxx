@@ -3,6 +3,7 @@
 
 #include "Canvas.h"
 #include "ErrorPicture.h"
+#include "NumberText.h"
 #include "PngFile.h"
 #include "ScoreChart.h"
 #include "ViewAccess.h"

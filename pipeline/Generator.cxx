@@ -3,6 +3,7 @@
 
 #include "AtomicFile.h"
 #include "Error.h"
+#include "NumberText.h"
 #include "ObjectMesh.h"
 #include "Photographer.h"
 #include "PngFile.h"
@@ -119,10 +120,8 @@ void AppendMatrix(std::string& line, const Eigen::Ref<const Eigen::MatrixXd>& ma
   {
     for (int column = 0; column < matrix.cols(); ++column)
     {
-      char number[32];
       // Adding zero makes -0, which only confuses a reader, a plain 0.
-      std::snprintf(number, sizeof number, " %.17g", matrix(row, column) + 0.0);
-      line += number;
+      line += Formatted(" %.17g", matrix(row, column) + 0.0);
     }
   }
 }
@@ -247,9 +246,7 @@ void WriteOverview(const fs::path& path, vtkPolyData* mesh, const Rig& rig,
   picture.HeldOut = rig.Tests;
   for (const double angleDeg : options.TestAnglesDeg)
   {
-    char label[32];
-    std::snprintf(label, sizeof label, "%g\xC2\xB0", angleDeg); // the degree sign
-    picture.HeldOutLabels.emplace_back(label);
+    picture.HeldOutLabels.push_back(Formatted("%g\xC2\xB0", angleDeg)); // the degree sign
   }
   DrawRig(picture, path);
 }

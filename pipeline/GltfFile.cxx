@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "GltfFile.h"
 
-#include "Error.h"
-#include "OpenCvPixels.h"
+#include "ImageFile.h"
 
 #include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
-#include <opencv2/imgcodecs.hpp>
-#include <opencv2/imgproc.hpp>
 
 #include <bit>
 #include <cstdint>
@@ -89,19 +86,6 @@ public:
   Json Accessors = Json::array();
 };
 
-std::vector<std::uint8_t> JpegOf(const Image<std::uint8_t>& picture)
-{
-  cv::Mat mat = ToMat(picture.Ref());
-  cv::cvtColor(mat, mat, cv::COLOR_RGB2BGR);
-  std::vector<std::uint8_t> jpeg;
-  constexpr int quality = 93;
-  if (!cv::imencode(".jpg", mat, jpeg, { cv::IMWRITE_JPEG_QUALITY, quality }))
-  {
-    throw Error("glTF", "the texture cannot be encoded");
-  }
-  return jpeg;
-}
-
 /** Adds the mesh's attributes and says which accessors they are. */
 Json PrimitiveOf(const TexturedModel& model, const Eigen::Vector3d& middle, GltfBuffer& buffer)
 {
@@ -156,7 +140,9 @@ std::string GlbOf(const TexturedModel& model)
   const Eigen::Vector3d middle = box.center();
   GltfBuffer buffer;
   const Json primitive = PrimitiveOf(model, middle, buffer);
-  const std::vector<std::uint8_t> jpeg = JpegOf(model.Atlas.Picture);
+  constexpr int jpegQuality = 93;
+  const std::vector<std::uint8_t> jpeg =
+    EncodeJpeg(model.Atlas.Picture.Ref(), jpegQuality, "glTF texture");
   const int picture = buffer.AddView(jpeg.data(), jpeg.size());
 
   Json gltf;

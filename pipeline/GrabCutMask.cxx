@@ -27,27 +27,19 @@ cv::Rect BoxIn(const cv::Mat& photo, const std::array<double, 4>& box, double sc
 /** The largest component of a mask with its small holes filled; empty when there is none. */
 cv::Mat OneObject(const cv::Mat& mask, double smallHole)
 {
-  cv::Mat labels;
-  cv::Mat stats;
-  cv::Mat centroids;
-  const int count = cv::connectedComponentsWithStats(mask, labels, stats, centroids, 8);
-  int largest = 0;
-  for (int label = 1; label < count; ++label)
-  {
-    const bool larger = largest == 0 ||
-      stats.at<int>(label, cv::CC_STAT_AREA) > stats.at<int>(largest, cv::CC_STAT_AREA);
-    largest = larger ? label : largest;
-  }
-  if (largest == 0)
+  cv::Mat object = LargestComponent(mask);
+  const int area = cv::countNonZero(object);
+  if (area == 0)
   {
     return {};
   }
-  cv::Mat object = labels == largest;
-  const double limit = smallHole * stats.at<int>(largest, cv::CC_STAT_AREA);
+  cv::Mat labels;
+  cv::Mat stats;
+  cv::Mat centroids;
   const int holes = cv::connectedComponentsWithStats(object == 0, labels, stats, centroids, 4);
   for (int label = 1; label < holes; ++label)
   {
-    if (stats.at<int>(label, cv::CC_STAT_AREA) < limit)
+    if (stats.at<int>(label, cv::CC_STAT_AREA) < smallHole * area)
     {
       object.setTo(255, labels == label);
     }

@@ -184,12 +184,18 @@ Image<float> ReadFloatFile(const fs::path& path)
 
 void WriteImageFile(const fs::path& path, const ImageRef<const std::uint8_t>& pixels)
 {
-  cv::Mat mat = ToMat(pixels);
-  if (pixels.Channels == 3)
+  Encode(path, ToBgr(pixels));
+}
+
+std::vector<std::uint8_t> EncodeJpeg(
+  const ImageRef<const std::uint8_t>& pixels, int quality, const std::string& where)
+{
+  std::vector<std::uint8_t> jpeg;
+  if (!cv::imencode(".jpg", ToBgr(pixels), jpeg, { cv::IMWRITE_JPEG_QUALITY, quality }))
   {
-    cv::cvtColor(mat, mat, cv::COLOR_RGB2BGR);
+    throw Error(where, "cannot be encoded as JPEG");
   }
-  Encode(path, mat);
+  return jpeg;
 }
 
 void WriteFloatFile(const fs::path& path, const ImageRef<const float>& pixels)

@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 class vtkImageData;
 
@@ -41,6 +42,11 @@ Image<float> ReadFloatFile(const std::filesystem::path& path);
 
 /** One (grey) or three (RGB) channels. */
 void WriteImageFile(const std::filesystem::path& path, const ImageRef<const std::uint8_t>& pixels);
+
+/** The bytes of a JPEG file of one (grey) or three (RGB) channels; quality 0 to 100. Errors name
+ * `where`. */
+std::vector<std::uint8_t> EncodeJpeg(
+  const ImageRef<const std::uint8_t>& pixels, int quality, const std::string& where);
 
 /** One channel, as a 32-bit float TIFF; the extension must be .tif or .tiff. */
 void WriteFloatFile(const std::filesystem::path& path, const ImageRef<const float>& pixels);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "MaskSheet.h"
 
+#include "NumberText.h"
 #include "OpenCvPixels.h"
 #include "Silhouette.h"
 
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace novelview
 {
@@ -34,15 +34,9 @@ MaskThumbnail MakeMaskThumbnail(const std::string& name, const ImageRef<const st
   const ImageRef<const std::uint8_t>& mask)
 {
   MaskThumbnail thumbnail{ name, MeasureCoverage(mask).Fraction, {} };
-  const double scale = std::min({ 1.0, CellWidth / static_cast<double>(photo.Width),
-    CellHeight / static_cast<double>(photo.Height) });
-  const cv::Size size(std::max(1, static_cast<int>(std::lround(scale * photo.Width))),
-    std::max(1, static_cast<int>(std::lround(scale * photo.Height))));
-  cv::Mat picture;
-  cv::Mat object;
-  cv::resize(ToMat(photo), picture, size, 0, 0, cv::INTER_AREA);
-  cv::resize(ToMat(mask), object, size, 0, 0, cv::INTER_AREA);
-  object = object > 127;
+  const cv::Size cell(CellWidth, CellHeight);
+  cv::Mat picture = Shrunk(ToMat(photo), cell);
+  const cv::Mat object = Shrunk(ToMat(mask), cell) > 127;
   cv::Mat dark = picture * 0.4;
   dark.copyTo(picture, object == 0);
   std::vector<std::vector<cv::Point>> outlines;
@@ -68,9 +62,8 @@ Image<std::uint8_t> MaskContactSheet(const std::vector<MaskThumbnail>& thumbnail
     const cv::Rect place(x + (CellWidth - picture.cols) / 2, y + (CellHeight - picture.rows) / 2,
       picture.cols, picture.rows);
     picture.copyTo(sheet(place));
-    char percent[32];
-    std::snprintf(percent, sizeof(percent), "  %.1f %%", 100 * thumbnails[i].Coverage);
-    cv::putText(sheet, Fitting(thumbnails[i].Name) + percent,
+    cv::putText(sheet,
+      Fitting(thumbnails[i].Name) + Formatted("  %.1f %%", 100 * thumbnails[i].Coverage),
       cv::Point(x, y + CellHeight + LabelHeight - 6), cv::FONT_HERSHEY_SIMPLEX, 0.45, Ink, 1,
       cv::LINE_AA);
   }

@@ -214,11 +214,7 @@ DatasetFormat MiddleburyFormat()
   format.MaskFolder = "mask";
   format.MaskName = [](const std::string& name)
   { return fs::path(name).replace_extension(".png").string(); };
-  format.HoldsLenses = [](const std::vector<Photograph>& photographs)
-  {
-    return std::all_of(photographs.begin(), photographs.end(),
-      [](const Photograph& photograph) { return photograph.Distortion.IsPinhole(); });
-  };
+  format.HoldsLens = [](const Photograph& photograph) { return photograph.Distortion.IsPinhole(); };
   format.Compose = [](const std::string& name, const std::vector<Photograph>& photographs)
   {
     const std::string file = name + "_par.txt";

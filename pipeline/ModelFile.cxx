@@ -5,6 +5,7 @@
 #include "Error.h"
 #include "GltfFile.h"
 #include "ImageFile.h"
+#include "NumberText.h"
 #include "UsageError.h"
 #include "ViewAccess.h"
 
@@ -19,7 +20,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <fstream>
 #include <iterator>
 
@@ -31,10 +31,7 @@ namespace
 {
 std::string KindOf(const fs::path& file)
 {
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
+  return LowerCase(file.extension().string());
 }
 
 /** The mesh with a colour and a normal per point. */

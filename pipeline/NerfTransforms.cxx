@@ -355,16 +355,11 @@ DatasetFormat NerfFormat()
   format.PhotoFolder = "images";
   format.MaskFolder = "masks";
   format.MaskName = [](const std::string& name) { return name + ".png"; };
-  format.HoldsLenses = [](const std::vector<Photograph>& photographs)
+  format.HoldsLens = [](const Photograph& photograph)
   {
-    return std::all_of(photographs.begin(), photographs.end(),
-      [](const Photograph& photograph)
-      {
-        const std::size_t count = Trimmed(photograph.Distortion).Coefficients.size();
-        return count <= (photograph.Distortion.Kind == Lens::Model::Fisheye
-                            ? FisheyeKeys.size()
-                            : PerspectiveKeys.size());
-      });
+    const bool fisheye = photograph.Distortion.Kind == Lens::Model::Fisheye;
+    return Trimmed(photograph.Distortion).Coefficients.size() <=
+      (fisheye ? FisheyeKeys.size() : PerspectiveKeys.size());
   };
   format.Compose = ComposeNerf;
   return format;

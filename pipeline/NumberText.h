@@ -3,7 +3,10 @@
 #ifndef novelview_NumberText_h
 #define novelview_NumberText_h
 
+#include <algorithm>
+#include <cctype>
 #include <charconv>
+#include <cstdio>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -15,6 +18,22 @@ inline std::string NumberText(double value)
 {
   char text[64];
   return std::string(text, std::to_chars(text, text + sizeof(text), value).ptr);
+}
+
+/** A number as printf would print it. */
+inline std::string Formatted(const char* format, double value)
+{
+  char text[64];
+  std::snprintf(text, sizeof(text), format, value);
+  return text;
+}
+
+/** ASCII letters in lower case. */
+inline std::string LowerCase(std::string text)
+{
+  std::transform(text.begin(), text.end(), text.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
 }
 
 /** The whole text as a number; false when it is none. */

@@ -3,6 +3,7 @@
 
 #include "BuiltinShapes.h"
 #include "Error.h"
+#include "NumberText.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkCallbackCommand.h>
@@ -97,9 +98,7 @@ vtkSmartPointer<vtkPolyData> ReadMeshFile(const std::string& file)
     }
     throw Error(file, "mesh file does not exist (built-in objects: " + builtin + ")");
   }
-  std::string extension = fs::path(file).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = LowerCase(fs::path(file).extension().string());
   if (extension == ".obj")
   {
     return ReadWith<vtkOBJReader>(file);

@@ -326,7 +326,7 @@ DatasetFormat OpenCvFormat()
   format.Read = ReadOpenCv;
   format.MaskFolder = "masks";
   format.MaskName = [](const std::string& name) { return name + ".png"; };
-  format.HoldsLenses = [](const std::vector<Photograph>&) { return true; };
+  format.HoldsLens = [](const Photograph&) { return true; };
   format.Compose = ComposeOpenCv;
   return format;
 }

@@ -8,6 +8,7 @@
 #include <opencv2/core.hpp>
 
 #include <algorithm>
+#include <cstdint>
 
 namespace novelview
 {
@@ -39,6 +40,15 @@ Image<T> FromMat(const cv::Mat& mat)
   }
   return image;
 }
+
+/** A copy with the channels in OpenCV's order: BGR where there are three. */
+cv::Mat ToBgr(const ImageRef<const std::uint8_t>& pixels);
+
+/** A copy that is made smaller to fit into a size, its sides' ratio kept; never made larger. */
+cv::Mat Shrunk(const cv::Mat& mat, const cv::Size& within);
+
+/** 255 in the largest 8-connected component of what is not zero, 0 elsewhere. */
+cv::Mat LargestComponent(const cv::Mat& mask);
 }
 
 #endif

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "PhotographFiles.h"
 
+#include "NumberText.h"
+
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 namespace novelview
 {
@@ -16,25 +17,18 @@ bool IsFile(const fs::path& path)
   return fs::is_regular_file(path, failure);
 }
 
-std::string Lower(std::string text)
-{
-  std::transform(text.begin(), text.end(), text.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
 bool IsPicture(const fs::path& path)
 {
   constexpr std::array Extensions{ ".png", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp", ".ppm", ".pgm",
     ".webp" };
-  return std::find(Extensions.begin(), Extensions.end(), Lower(path.extension().string())) !=
+  return std::find(Extensions.begin(), Extensions.end(), LowerCase(path.extension().string())) !=
     Extensions.end();
 }
 
 /** Whether a file is named like a mask beside its photograph. */
 bool IsNamedMask(const fs::path& path)
 {
-  const std::string stem = Lower(path.stem().string());
+  const std::string stem = LowerCase(path.stem().string());
   return stem.ends_with("_mask") || stem.ends_with(".mask") ||
     (IsPicture(path.stem()) && IsFile(path.parent_path() / path.stem()));
 }

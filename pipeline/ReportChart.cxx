@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ReportPage.h"
 
+#include "NumberText.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace novelview
 {
@@ -18,16 +19,9 @@ constexpr double MarginRight = 14;
 constexpr double MarginTop = 54;
 constexpr double MarginBottom = 44;
 
-std::string Number(const char* format, double value)
-{
-  char text[48];
-  std::snprintf(text, sizeof(text), format, value);
-  return text;
-}
-
 std::string Px(double value)
 {
-  return Number("%.1f", value);
+  return Formatted("%.1f", value);
 }
 
 std::string TextTag(
@@ -113,14 +107,14 @@ public:
         "\"/>\n";
       // A step's own rounding would show at zero.
       svg += TextTag(MarginLeft - 8, this->Y(y) + 4, "end",
-        Number("%.4g", std::abs(y) < this->YStep / 2 ? 0 : y));
+        Formatted("%.4g", std::abs(y) < this->YStep / 2 ? 0 : y));
     }
     for (double x = std::ceil(this->Range.min().x() / this->XStep) * this->XStep;
          x <= this->Range.max().x() + this->XStep * 1e-9; x += this->XStep)
     {
       const auto at = static_cast<std::size_t>(std::max(x, 0.0));
       const std::string label = chart.XLabels.empty()
-        ? Number("%.4g", x)
+        ? Formatted("%.4g", x)
         : (at < chart.XLabels.size() ? chart.XLabels[at] : "");
       svg += TextTag(this->X(x), ChartHeight - MarginBottom + 18, "middle", label);
     }
@@ -147,8 +141,8 @@ std::string LineTags(const ReportLine& line, const ChartFrame& frame, int number
     path += (path.empty() ? "M" : "L") + Px(frame.X(x)) + " " + Px(frame.Y(y));
     // What a pointer that rests on a dot is told.
     dots += "<circle r=\"3.5\" cx=\"" + Px(frame.X(x)) + "\" cy=\"" + Px(frame.Y(y)) +
-      "\"><title>" + HtmlEscaped(line.Name) + " " + Number("%.6g", x) + ": " + Number("%.6g", y) +
-      "</title></circle>";
+      "\"><title>" + HtmlEscaped(line.Name) + " " + Formatted("%.6g", x) + ": " +
+      Formatted("%.6g", y) + "</title></circle>";
   }
   return "<g class=\"line" + std::to_string(number % 5) + "\"><path d=\"" + path + "\"/>" + dots +
     "</g>\n";
@@ -158,8 +152,8 @@ std::string LineTags(const ReportLine& line, const ChartFrame& frame, int number
 std::string SvgOf(const ReportChart& chart)
 {
   const ChartFrame frame(chart);
-  std::string svg = "<svg viewBox=\"0 0 " + Number("%.0f", ChartWidth) + " " +
-    Number("%.0f", ChartHeight) + "\" role=\"img\">\n<title>" + HtmlEscaped(chart.Title) +
+  std::string svg = "<svg viewBox=\"0 0 " + Formatted("%.0f", ChartWidth) + " " +
+    Formatted("%.0f", ChartHeight) + "\" role=\"img\">\n<title>" + HtmlEscaped(chart.Title) +
     "</title>\n";
   svg += TextTag(MarginLeft, 18, "start", chart.Title, " class=\"heading\"");
   svg += frame.Axes(chart);

@@ -2,17 +2,14 @@
 #include "ReportPage.h"
 
 #include "Error.h"
+#include "ImageFile.h"
 #include "NumberText.h"
 #include "OpenCvPixels.h"
 #include "ReportTemplate.h"
 
-#include <opencv2/imgcodecs.hpp>
-#include <opencv2/imgproc.hpp>
 #include <vtkBase64Utilities.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
 
 namespace novelview
 {
@@ -86,9 +83,7 @@ std::string CellTag(const ReportCell& cell, bool first, double part)
   }
   if (part >= 0)
   {
-    char style[48];
-    std::snprintf(style, sizeof(style), "--part: %.1f%%", 100 * part);
-    tag += " class=\"part\"" + Attribute("style", style);
+    tag += " class=\"part\"" + Attribute("style", Formatted("--part: %.1f%%", 100 * part));
   }
   return tag + ">" + HtmlEscaped(cell.Text) + (first ? "</th>" : "</td>");
 }
@@ -119,36 +114,19 @@ std::string Filled(const std::string& text, const std::vector<std::array<std::st
 ReportPicture EmbedPicture(const std::string& name, const std::string& caption,
   const ImageRef<const std::uint8_t>& pixels, int longestSidePx, int quality)
 {
-  cv::Mat mat = ToMat(pixels);
-  if (pixels.Channels == 3)
-  {
-    cv::cvtColor(mat, mat, cv::COLOR_RGB2BGR);
-  }
-  const int longest = std::max(mat.cols, mat.rows);
-  if (longest > longestSidePx)
-  {
-    const double scale = static_cast<double>(longestSidePx) / longest;
-    const cv::Size size(std::max(1, static_cast<int>(std::lround(scale * mat.cols))),
-      std::max(1, static_cast<int>(std::lround(scale * mat.rows))));
-    cv::resize(mat, mat, size, 0, 0, cv::INTER_AREA);
-  }
-  std::vector<std::uint8_t> jpeg;
-  if (!cv::imencode(".jpg", mat, jpeg, { cv::IMWRITE_JPEG_QUALITY, quality }))
-  {
-    throw Error("report", "cannot encode the picture " + name);
-  }
+  const auto small = FromMat<std::uint8_t>(Shrunk(ToMat(pixels), { longestSidePx, longestSidePx }));
+  const std::vector<std::uint8_t> jpeg =
+    EncodeJpeg(small.Ref(), quality, "report: picture " + name);
   std::string text((jpeg.size() + 2) / 3 * 4 + 4, '\0');
   text.resize(vtkBase64Utilities::Encode(
     jpeg.data(), jpeg.size(), reinterpret_cast<unsigned char*>(text.data())));
-  return { name, caption, "data:image/jpeg;base64," + text, mat.cols, mat.rows };
+  return { name, caption, "data:image/jpeg;base64," + text, small.Width, small.Height };
 }
 
 ReportCell::ReportCell(double value, const char* format)
-  : Value(value)
+  : Text(Formatted(format, value))
+  , Value(value)
 {
-  char text[64];
-  std::snprintf(text, sizeof(text), format, value);
-  this->Text = text;
 }
 
 //------------------------------------------------------------------------------

@@ -8,26 +8,12 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include <algorithm>
-#include <cmath>
-
 namespace novelview
 {
 namespace
 {
 /** Photographs of many data sets together must not make a page that no browser likes to open. */
 constexpr std::size_t ManyPhotographs = 60;
-
-cv::Mat Scaled(const cv::Mat& mat, int longestSidePx)
-{
-  const double scale =
-    std::min(1.0, static_cast<double>(longestSidePx) / std::max(mat.cols, mat.rows));
-  const cv::Size size(std::max(1, static_cast<int>(std::lround(scale * mat.cols))),
-    std::max(1, static_cast<int>(std::lround(scale * mat.rows))));
-  cv::Mat scaled;
-  cv::resize(mat, scaled, size, 0, 0, cv::INTER_AREA);
-  return scaled;
-}
 
 cv::Mat ColorOf(vtkImageData* image, const std::string& where)
 {
@@ -41,8 +27,9 @@ cv::Mat MaskOf(vtkImageData* image, const std::string& where)
 
 ReportPicture WithContour(vtkImageData* image, const std::string& name, int longestSidePx)
 {
-  cv::Mat color = Scaled(ColorOf(image, name), longestSidePx);
-  const cv::Mat mask = Scaled(MaskOf(image, name), longestSidePx) > 127;
+  const cv::Size within(longestSidePx, longestSidePx);
+  cv::Mat color = Shrunk(ColorOf(image, name), within);
+  const cv::Mat mask = Shrunk(MaskOf(image, name), within) > 127;
   std::vector<std::vector<cv::Point>> contours;
   cv::findContours(mask, contours, cv::RETR_LIST, cv::CHAIN_APPROX_NONE);
   cv::drawContours(color, contours, -1, cv::Scalar(255, 194, 46), 1, cv::LINE_AA);
@@ -71,8 +58,9 @@ std::vector<vtkSmartPointer<vtkImageData>> SmallPhotographs(
   std::vector<vtkSmartPointer<vtkImageData>> images;
   for (unsigned int viewId = 0; viewId < views->GetNumberOfBlocks(); ++viewId)
   {
-    const Image<std::uint8_t> small = FromMat<std::uint8_t>(
-      Scaled(ColorOf(ViewImage(views, viewId), ViewName(views, viewId)), longestSidePx));
+    const Image<std::uint8_t> small =
+      FromMat<std::uint8_t>(Shrunk(ColorOf(ViewImage(views, viewId), ViewName(views, viewId)),
+        { longestSidePx, longestSidePx }));
     auto image = NewImage(small.Width, small.Height);
     SetPixels(image, arrays::Color, small.Ref());
     images.push_back(image);

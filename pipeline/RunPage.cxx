@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "RunPage.h"
 
-#include "Canvas.h"
 #include "ErrorPicture.h"
 #include "ImageFile.h"
+#include "NumberText.h"
 #include "OffscreenWindow.h"
 #include "Parallel.h"
 #include "ReportPictures.h"

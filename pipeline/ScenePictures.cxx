@@ -4,6 +4,7 @@
 #include "Canvas.h"
 #include "Error.h"
 #include "ErrorPicture.h"
+#include "NumberText.h"
 #include "PngFile.h"
 #include "SceneActors.h"
 #include "ScoreChart.h"

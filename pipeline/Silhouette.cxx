@@ -2,13 +2,13 @@
 #include "Silhouette.h"
 
 #include "Error.h"
+#include "NumberText.h"
 #include "OpenCvPixels.h"
 
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 
 namespace novelview
@@ -196,24 +196,6 @@ cv::Mat ConnectedTo(const cv::Mat& candidates, const cv::Mat& sure)
     }
   }
   return result;
-}
-
-cv::Mat LargestComponent(const cv::Mat& mask)
-{
-  cv::Mat labels;
-  cv::Mat stats;
-  cv::Mat centroids;
-  const int count = cv::connectedComponentsWithStats(mask, labels, stats, centroids, 8);
-  int largest = 0;
-  for (int label = 1; label < count; ++label)
-  {
-    if (largest == 0 ||
-      stats.at<int>(label, cv::CC_STAT_AREA) > stats.at<int>(largest, cv::CC_STAT_AREA))
-    {
-      largest = label;
-    }
-  }
-  return largest > 0 ? cv::Mat(labels == largest) : cv::Mat(cv::Mat::zeros(mask.size(), CV_8U));
 }
 
 struct Levels
@@ -585,10 +567,8 @@ std::vector<std::string> CheckCoverage(const Coverage& coverage, const std::stri
   // often a silhouette gone wrong than an object.
   if (coverage.Fraction < 0.005 || coverage.Fraction > 0.9)
   {
-    char percent[32];
-    std::snprintf(percent, sizeof(percent), "%.2f %%", 100 * coverage.Fraction);
-    words.push_back(
-      where + ": the silhouette covers " + percent + " of the frame; is that the object?");
+    words.push_back(where + ": the silhouette covers " +
+      Formatted("%.2f %%", 100 * coverage.Fraction) + " of the frame; is that the object?");
   }
   return words;
 }

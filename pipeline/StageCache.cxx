@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "StageCache.h"
 
-#include "AtomicFile.h"
 #include "Error.h"
 #include "PowerCrust.h"
 #include "Synthesis.h"
@@ -237,7 +236,15 @@ void WriteEntry(const fs::path& folder, const ViewIndependent& results, vtkMulti
   }
   const nlohmann::json manifest = { { "files", files }, { "numbers", numbers },
     { "warnings", results.Warnings } };
-  WriteTextAtomically(folder / Manifest, manifest.dump(1) + "\n");
+  // The whole folder gets its name at the end, and an interrupt shall not lose it.
+  const fs::path path = folder / Manifest;
+  std::ofstream file(path, std::ios::binary);
+  file << manifest.dump(1) << "\n";
+  file.close();
+  if (!file)
+  {
+    throw Error(path.string(), "cannot be written");
+  }
 }
 
 ViewIndependent ReadEntry(const fs::path& folder, vtkMultiBlockDataSet* given)

@@ -2,6 +2,7 @@
 #include "Synthesis.h"
 
 #include "Error.h"
+#include "NumberText.h"
 #include "StageCache.h"
 #include "StageRunner.h"
 #include "SynthesisStages.h"
@@ -12,7 +13,6 @@
 #include <vtkNew.h>
 
 #include <algorithm>
-#include <cstdio>
 
 namespace novelview
 {
@@ -45,9 +45,7 @@ namespace
 {
 std::string Pixels(double length)
 {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.1f px", length);
-  return text;
+  return Formatted("%.1f px", length);
 }
 
 /** A picture without a single pixel of the object is nothing to hand out silently. */

@@ -11,8 +11,10 @@
 
 #include <vtkAlgorithm.h>
 #include <vtkDataObject.h>
+#include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkSetGet.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <algorithm>
 #include <exception>
@@ -86,6 +88,19 @@ inline Camera RequireCamera(vtkPinholeCamera* camera)
   const Camera result = ToCamera(camera);
   ValidateCamera(result, "novel camera");
   return result;
+}
+
+/** The RequestInformation of a filter whose output is the camera's picture; empty without one. */
+inline void SetPictureInformation(vtkInformationVector* outputs, vtkPinholeCamera* camera)
+{
+  vtkInformation* info = outputs->GetInformationObject(0);
+  const int* size = camera ? camera->GetImageSize() : nullptr;
+  const int extent[6] = { 0, size ? size[0] - 1 : -1, 0, size ? size[1] - 1 : -1, 0, 0 };
+  const double zeros[3] = { 0, 0, 0 };
+  const double ones[3] = { 1, 1, 1 };
+  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  info->Set(vtkDataObject::ORIGIN(), zeros, 3);
+  info->Set(vtkDataObject::SPACING(), ones, 3);
 }
 
 inline void PrintCamera(ostream& os, vtkIndent indent, vtkPinholeCamera* camera)

@@ -12,7 +12,6 @@
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
-#include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <optional>
 
@@ -61,14 +60,7 @@ int vtkViewDependentTextureMapper::FillInputPortInformation(int port, vtkInforma
 int vtkViewDependentTextureMapper::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
-  vtkInformation* info = outputs->GetInformationObject(0);
-  const int* size = this->Camera ? this->Camera->GetImageSize() : nullptr;
-  const int extent[6] = { 0, size ? size[0] - 1 : -1, 0, size ? size[1] - 1 : -1, 0, 0 };
-  const double zeros[3] = { 0, 0, 0 };
-  const double ones[3] = { 1, 1, 1 };
-  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
-  info->Set(vtkDataObject::ORIGIN(), zeros, 3);
-  info->Set(vtkDataObject::SPACING(), ones, 3);
+  novelview::SetPictureInformation(outputs, this->Camera);
   return 1;
 }
 

@@ -11,7 +11,6 @@
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
-#include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <utility>
 
@@ -183,14 +182,7 @@ int vtkNovelViewSynthesiser::FillOutputPortInformation(int port, vtkInformation*
 int vtkNovelViewSynthesiser::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
-  vtkInformation* info = outputs->GetInformationObject(0);
-  const int* size = this->Camera ? this->Camera->GetImageSize() : nullptr;
-  const int extent[6] = { 0, size ? size[0] - 1 : -1, 0, size ? size[1] - 1 : -1, 0, 0 };
-  const double zeros[3] = { 0, 0, 0 };
-  const double ones[3] = { 1, 1, 1 };
-  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
-  info->Set(vtkDataObject::ORIGIN(), zeros, 3);
-  info->Set(vtkDataObject::SPACING(), ones, 3);
+  novelview::SetPictureInformation(outputs, this->Camera);
   return 1;
 }
 

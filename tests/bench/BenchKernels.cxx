@@ -11,10 +11,10 @@
 #include "Rasteriser.h"
 #include "Threads.h"
 #include "ViewAccess.h"
+#include "support/TemporaryFolder.h"
 
 #include <vtkMultiBlockDataSet.h>
 
-#include <cstdlib>
 #include <filesystem>
 
 namespace novelview::bench
@@ -78,34 +78,13 @@ void ContourDistance(benchmark::State& state)
     });
 }
 
-/** A folder of its own that goes away with its owner. */
-struct TemporaryFolder
-{
-  std::filesystem::path Path = std::filesystem::temp_directory_path() / "novelview-bench-XXXXXX";
-
-  TemporaryFolder()
-  {
-    std::string name = this->Path.string();
-    if (!::mkdtemp(name.data()))
-    {
-      throw Error(name, "cannot make a temporary folder");
-    }
-    this->Path = name;
-  }
-  ~TemporaryFolder()
-  {
-    std::error_code failure;
-    std::filesystem::remove_all(this->Path, failure);
-  }
-};
-
 /** Photographs and masks from files to views. Arguments: photographs, their width, threads. */
 void ReadPhotographs(benchmark::State& state)
 {
   Guarded(state,
     [&]
     {
-      const TemporaryFolder folder;
+      const support::TemporaryFolder folder;
       WriteDataset(
         Photographs({ static_cast<int>(state.range(0)), static_cast<int>(state.range(1)) }),
         folder.Path, "bunny");

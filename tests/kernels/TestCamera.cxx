@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Camera.h"
-#include "Error.h"
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
+#include "support/Expect.h"
 
 using namespace novelview;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
+using support::ExpectError;
 
 namespace
 {
@@ -20,21 +18,6 @@ Camera OnCircle(double angleDeg, double elevationDeg = 0)
   Eigen::Matrix3d k;
   k << 500, 2, 319.5, 0, 510, 239.5, 0, 0, 1;
   return LookAt(centre + Vector3d(1, 2, 3), Vector3d(1, 2, 3), Vector3d::UnitY(), k, 640, 480);
-}
-
-/** Expects the message of the Error that `body` throws to hold `text`. */
-template <class Body>
-void ExpectError(const Body& body, const std::string& text)
-{
-  try
-  {
-    body();
-    ADD_FAILURE() << "no error, expected one with: " << text;
-  }
-  catch (const Error& error)
-  {
-    EXPECT_THAT(error.what(), testing::HasSubstr(text));
-  }
 }
 }
 

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "CameraPath.h"
-#include "Error.h"
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
+#include "support/Expect.h"
 
 using namespace novelview;
 using Eigen::Vector3d;
+using support::ExpectError;
 
 namespace
 {
@@ -47,20 +45,6 @@ double Apart(const Camera& a, const Camera& b)
 {
   return std::max(
     (a.R - b.R).cwiseAbs().maxCoeff(), (a.Centre() - b.Centre()).cwiseAbs().maxCoeff());
-}
-
-template <class Body>
-void ExpectError(const Body& body, const std::string& text)
-{
-  try
-  {
-    body();
-    ADD_FAILURE() << "no error, expected one with: " << text;
-  }
-  catch (const Error& error)
-  {
-    EXPECT_THAT(error.what(), testing::HasSubstr(text));
-  }
 }
 }
 

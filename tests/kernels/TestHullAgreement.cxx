@@ -195,3 +195,12 @@ TEST(HullAgreement, RaysLieWhereTheyShould)
     EXPECT_NEAR(SampleBilinear(views[0].ContourDistance, ray.Pixel.x(), ray.Pixel.y()), 0, 0.3);
   }
 }
+
+TEST(HullAgreement, AStopIsHeardAmongTheRays)
+{
+  const std::vector<Photo> photos = BoxPhotos();
+  const std::vector<View> views = ViewsOf(photos);
+  Execution execution;
+  execution.StopRequested = [] { return true; };
+  EXPECT_THROW(FollowSilhouetteRays(views, RaysOf(views, 8, false), {}, execution), Interrupted);
+}

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "CrustShapes.h"
 #include "CrustSurface.h"
-#include "Error.h"
 #include "MeshTopology.h"
 #include "PowerCrust.h"
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
+#include "support/Expect.h"
 
 #include <functional>
 #include <limits>
@@ -17,6 +14,7 @@
 
 using namespace novelview;
 using Eigen::Vector3d;
+using support::ExpectError;
 
 namespace
 {
@@ -56,19 +54,6 @@ double Deviation(const TriangleMesh& mesh, const std::function<double(const Vect
     }
   }
   return worst;
-}
-
-void ExpectError(const std::function<void()>& body, const std::string& text)
-{
-  try
-  {
-    body();
-    ADD_FAILURE() << "no error, expected one with: " << text;
-  }
-  catch (const Error& error)
-  {
-    EXPECT_THAT(error.what(), testing::HasSubstr(text));
-  }
 }
 
 double SphereDistance(const Vector3d& p)

@@ -44,6 +44,21 @@ double WorstError(const TexturedView& picture, const Shape& truth, const Texture
 // photograph has shorter waves, and twice half a level is lost to rounding.
 constexpr double InterpolationLevels = 2.0;
 constexpr double LongWaves = 0.4;
+
+/** A plate from column 28.9 to 129.7. Sub-columns stand at -0.4, -0.2, 0, 0.2, 0.4 of a pixel. */
+TexturedView RimPlate(bool softRim = false)
+{
+  TriangleMesh mesh = RectangleMesh(1, 0.3);
+  for (Vector3d& point : mesh.Points)
+  {
+    point.x() = ((point.x() < 0 ? 28.9 : 129.7) - 79.5) / 100;
+  }
+  const auto photos = TakeAll(Rectangle(2, 2), Plain(200, 200, 200), { OnRing(0), OnRing(20) });
+  TextureOptions options;
+  options.RimSamples = 5;
+  options.SoftRim = softRim;
+  return TextureView(mesh, nullptr, ViewsOf(photos), OnRing(0), options);
+}
 }
 
 TEST(TextureMapping, APlaneFromKnownPhotographsIsExactToInterpolation)
@@ -246,17 +261,7 @@ TEST(TextureMapping, NoBackgroundBleedsInAtTheRim)
 
 TEST(TextureMapping, RimPixelsAreWeighedByTheirCoverage)
 {
-  // A plate from column 28.9 to 129.7. Sub-columns stand at -0.4, -0.2, 0, 0.2, 0.4 of a pixel.
-  const Camera novel = OnRing(0);
-  TriangleMesh mesh = RectangleMesh(1, 0.3);
-  for (Vector3d& point : mesh.Points)
-  {
-    point.x() = ((point.x() < 0 ? 28.9 : 129.7) - 79.5) / 100;
-  }
-  const auto photos = TakeAll(Rectangle(2, 2), Plain(200, 200, 200), { OnRing(0), OnRing(20) });
-  TextureOptions options;
-  options.RimSamples = 5;
-  const auto picture = TextureView(mesh, nullptr, ViewsOf(photos), novel, options);
+  const auto picture = RimPlate();
   EXPECT_EQ(picture.Mask(28, 60), 0);
   EXPECT_EQ(picture.Mask(29, 60), 255);
   EXPECT_EQ(picture.Color(29, 60, 0), 120); // 28.6 and 28.8 miss the plate: three fifths of 200
@@ -266,19 +271,9 @@ TEST(TextureMapping, RimPixelsAreWeighedByTheirCoverage)
 
 TEST(TextureMapping, ASoftRimKeepsWhatIsCoveredByLessThanHalf)
 {
-  // The plate of the test before, whose right edge covers one of five sub-columns of column 130.
-  const Camera novel = OnRing(0);
-  TriangleMesh mesh = RectangleMesh(1, 0.3);
-  for (Vector3d& point : mesh.Points)
-  {
-    point.x() = ((point.x() < 0 ? 28.9 : 129.7) - 79.5) / 100;
-  }
-  const auto photos = TakeAll(Rectangle(2, 2), Plain(200, 200, 200), { OnRing(0), OnRing(20) });
-  TextureOptions options;
-  options.RimSamples = 5;
-  const auto hard = TextureView(mesh, nullptr, ViewsOf(photos), novel, options);
-  options.SoftRim = true;
-  const auto soft = TextureView(mesh, nullptr, ViewsOf(photos), novel, options);
+  // The plate's right edge covers one of five sub-columns of column 130.
+  const auto hard = RimPlate();
+  const auto soft = RimPlate(true);
   EXPECT_EQ(hard.Color(130, 60, 0), 0);
   EXPECT_EQ(soft.Color(130, 60, 0), 40); // one fifth of 200
   EXPECT_EQ(soft.Mask.Values, hard.Mask.Values);

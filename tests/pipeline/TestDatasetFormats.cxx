@@ -4,6 +4,7 @@
 
 #include <opencv2/imgcodecs.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace novelview;
@@ -165,7 +166,7 @@ TEST(DatasetFormats, LensesGoThroughThoseThatHoldThem)
     std::vector<std::string> found;
     for (const std::string& format : All)
     {
-      if (FormatOf(format).HoldsLenses(photographs))
+      if (std::all_of(photographs.begin(), photographs.end(), FormatOf(format).HoldsLens))
       {
         found.push_back(format);
       }

@@ -2,6 +2,7 @@
 #include "StageCache.h"
 #include "Synthesis.h"
 #include "TestSupport.h"
+#include "support/Stop.h"
 #include "support/VtkScene.h"
 
 #include <vtkPointData.h>
@@ -174,4 +175,23 @@ TEST_F(StageCacheTest, AFolderThatCannotBeWrittenIsAWarning)
   ASSERT_FALSE(outcome.Warnings.empty());
   EXPECT_THAT(outcome.Warnings.back(), testing::HasSubstr("the cache cannot be written"));
   EXPECT_FALSE(outcome.Color.empty());
+}
+
+TEST_F(StageCacheTest, AStopDoesNotLoseWhatIsMade)
+{
+  Stop stop;
+  SynthesisListener listener;
+  listener.StageDone = [&](const std::string& stage, double) { stop.Flag = stage == "depth maps"; };
+  std::vector<std::string> warnings;
+  listener.Warn = [&](const std::string& text) { warnings.push_back(text); };
+  Synthesis synthesis(this->Views, this->Options, listener);
+  EXPECT_THROW(
+    synthesis.Render(AttachedCamera(ViewImage(this->Views, 2), "a"), Stage::Hull), Interrupted);
+  stop.Flag = false;
+  EXPECT_TRUE(fs::exists(this->OnlyEntry()));
+  for (const std::string& warning : warnings)
+  {
+    EXPECT_EQ(warning.find("interrupted"), std::string::npos) << warning;
+  }
+  EXPECT_FALSE(Synthesise(this->Options, this->Views).Stages.count("depth maps"));
 }

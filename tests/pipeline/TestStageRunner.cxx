@@ -3,7 +3,7 @@
 
 #include "Parallel.h"
 #include "TestSupport.h"
-#include "Threads.h"
+#include "support/Stop.h"
 #include "support/VtkScene.h"
 #include "vtkVisualHullSource.h"
 
@@ -13,18 +13,6 @@
 
 using namespace novelview;
 using namespace support;
-
-namespace
-{
-/** Sets the flag for the length of a test. */
-class Stop
-{
-public:
-  Stop() { SetStopFlag(&this->Flag); }
-  ~Stop() { SetStopFlag(nullptr); }
-  std::atomic<bool> Flag = false;
-};
-}
 
 TEST(StageRunner, AStopFlagEndsAStageAsInterrupted)
 {

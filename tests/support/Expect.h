@@ -14,18 +14,24 @@
 
 namespace support
 {
-/** Expects the message of the Error that `body` throws to hold `text`. */
-template <class Body>
-void ExpectError(const Body& body, const std::string& text)
+/** Expects the message of the Error that `body` throws to be a line that holds all of `expected`. */
+template <class Body, class... Parts>
+void ExpectError(const Body& body, const Parts&... expected)
 {
+  const std::vector<std::string> parts{ expected... };
   try
   {
     body();
-    ADD_FAILURE() << "no error, expected one with: " << text;
+    ADD_FAILURE() << "no error, expected one with: " << testing::PrintToString(parts);
   }
   catch (const novelview::Error& error)
   {
-    EXPECT_THAT(error.what(), testing::HasSubstr(text));
+    const std::string text = error.what();
+    for (const std::string& part : parts)
+    {
+      EXPECT_THAT(text, testing::HasSubstr(part));
+    }
+    EXPECT_EQ(text.find('\n'), std::string::npos) << "more than one line: " << text;
   }
 }
 

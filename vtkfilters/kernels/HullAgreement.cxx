@@ -376,15 +376,9 @@ std::vector<RayAgreement> FollowSilhouetteRays(const std::vector<View>& views,
 {
   const std::vector<SilhouetteWitness> witnesses(views.begin(), views.end());
   std::vector<RayAgreement> agreements(rays.size());
-  execution.ParallelFor(static_cast<std::int64_t>(rays.size()),
-    [&](std::int64_t begin, std::int64_t end)
-    {
-      AgreementFollower follower(witnesses, options);
-      for (std::int64_t i = begin; i < end; ++i)
-      {
-        agreements[i] = follower.Follow(rays[i]);
-      }
-    });
+  execution.ForEachWith(
+    static_cast<std::int64_t>(rays.size()), [&] { return AgreementFollower(witnesses, options); },
+    [&](AgreementFollower& follower, std::int64_t i) { agreements[i] = follower.Follow(rays[i]); });
   execution.Report(1);
   return agreements;
 }

@@ -3,6 +3,7 @@
 
 #include "AtlasCharts.h"
 #include "Error.h"
+#include "FillInLayers.h"
 #include "MeshNeighbours.h"
 #include "PhotoBlender.h"
 
@@ -42,16 +43,14 @@ std::vector<Rgb> SeenColours(
 {
   std::vector<Rgb> colours(surface.Mesh.Points.size(), Rgb{ 128, 128, 128 });
   known.assign(surface.Mesh.Points.size(), 0);
-  execution.ParallelFor(static_cast<std::int64_t>(colours.size()),
-    [&](std::int64_t begin, std::int64_t end)
+  execution.ForEachWith(
+    static_cast<std::int64_t>(colours.size()),
+    [&] { return PhotoBlender(surface.References, surface.Options); },
+    [&](PhotoBlender& blender, std::int64_t ptId)
     {
-      PhotoBlender blender(surface.References, surface.Options);
-      for (std::int64_t ptId = begin; ptId < end; ++ptId)
-      {
-        double rgb[3];
-        known[ptId] = blender.Blend(surface.Mesh.Points[ptId], -surface.Normals[ptId], rgb);
-        colours[ptId] = known[ptId] ? Rounded(rgb) : colours[ptId];
-      }
+      double rgb[3];
+      known[ptId] = blender.Blend(surface.Mesh.Points[ptId], -surface.Normals[ptId], rgb);
+      colours[ptId] = known[ptId] ? Rounded(rgb) : colours[ptId];
     });
   return colours;
 }
@@ -69,11 +68,9 @@ void FillUnknown(
       open.push_back(static_cast<int>(ptId));
     }
   }
-  for (std::vector<int> filled(1); !open.empty() && !filled.empty();)
-  {
-    filled.clear();
-    std::vector<int> rest;
-    for (const int ptId : open)
+  FillInLayers(
+    std::move(open),
+    [&](int ptId)
     {
       double sum[3] = { 0, 0, 0 };
       int count = 0;
@@ -90,14 +87,9 @@ void FillUnknown(
         each /= std::max(count, 1);
       }
       colours[ptId] = count ? Rounded(sum) : colours[ptId];
-      (count ? filled : rest).push_back(ptId);
-    }
-    for (const int ptId : filled)
-    {
-      known[ptId] = 1;
-    }
-    open = std::move(rest);
-  }
+      return count > 0;
+    },
+    [&](int ptId) { known[ptId] = 1; });
 }
 
 Surface SurfaceOf(const TriangleMesh& mesh, const std::vector<View>& views,
@@ -337,15 +329,11 @@ TextureAtlas MakeTextureAtlas(const TriangleMesh& mesh, const std::vector<View>&
   atlas.Picture = Image<std::uint8_t>(layout.Width, layout.Height, 3, 128);
   std::vector<std::int64_t> texels(layout.Charts.size());
   std::vector<std::int64_t> seen(layout.Charts.size());
-  execution.ParallelFor(static_cast<std::int64_t>(layout.Charts.size()),
-    [&](std::int64_t begin, std::int64_t end)
-    {
-      AtlasPainter painter(surface, pointColours, layout, atlas.Picture);
-      for (std::int64_t chartId = begin; chartId < end; ++chartId)
-      {
-        painter.Paint(layout.Charts[chartId], texels[chartId], seen[chartId]);
-      }
-    });
+  execution.ForEachWith(
+    static_cast<std::int64_t>(layout.Charts.size()),
+    [&] { return AtlasPainter(surface, pointColours, layout, atlas.Picture); },
+    [&](AtlasPainter& painter, std::int64_t chartId)
+    { painter.Paint(layout.Charts[chartId], texels[chartId], seen[chartId]); });
   double all = 0;
   for (std::size_t chartId = 0; chartId < texels.size(); ++chartId)
   {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "TextureMapping.h"
 
+#include "FillInLayers.h"
 #include "PhotoBlender.h"
 
 #include <algorithm>
@@ -166,12 +167,12 @@ void FillUnseen(Image<float>& color, const Image<std::uint8_t>& mask, Image<std:
     }
   }
   const auto knownRef = known.Ref();
-  while (!open.empty())
-  {
-    std::vector<std::pair<int, int>> filled;
-    std::vector<std::pair<int, int>> rest;
-    for (const auto& [x, y] : open)
+  // An island no reference sees any pixel of stays black, and flagged.
+  FillInLayers(
+    std::move(open),
+    [&](const std::pair<int, int>& pixel)
     {
+      const auto [x, y] = pixel;
       double sum[3] = { 0, 0, 0 };
       int count = 0;
       for (int n = 0; n < 9; ++n)
@@ -191,18 +192,9 @@ void FillUnseen(Image<float>& color, const Image<std::uint8_t>& mask, Image<std:
       {
         color(x, y, channel) = static_cast<float>(sum[channel] / count);
       }
-      (count ? filled : rest).emplace_back(x, y);
-    }
-    if (filled.empty())
-    {
-      return; // an island no reference sees any pixel of stays black, and flagged
-    }
-    for (const auto& [x, y] : filled)
-    {
-      known(x, y) = 1;
-    }
-    open = std::move(rest);
-  }
+      return count > 0;
+    },
+    [&](const std::pair<int, int>& pixel) { known(pixel.first, pixel.second) = 1; });
 }
 }
 
