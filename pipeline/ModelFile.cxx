@@ -159,7 +159,10 @@ void WriteModelFile(const TexturedModel& model, const fs::path& file)
   }
   else if (kind == ".vtp")
   {
+    // Appended data, the default, is not read where expat is newer than VTK knows (VTK before 9.3.1,
+    // also inside ParaView); arrays in their places are.
     vtkNew<vtkXMLPolyDataWriter> writer;
+    writer->SetDataModeToBinary();
     WriteByVtk(writer.Get(), ColouredPolyData(model), file);
   }
   else

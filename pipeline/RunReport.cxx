@@ -147,6 +147,7 @@ void RunReport::WriteMesh(const std::string& name, vtkPolyData* mesh) const
     {
       vtkNew<vtkXMLPolyDataWriter> writer;
       writer->SetInputData(mesh);
+      writer->SetDataModeToBinary();    // some readers fail on appended data, see ModelFile.cxx
       writer->SetCompressorTypeToLZ4(); // zlib takes longer than most stages
       writer->SetFileName(temporary.c_str());
       return writer->Write() == 1;
