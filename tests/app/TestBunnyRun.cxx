@@ -93,6 +93,9 @@ TEST_F(BunnyRun, WritesWhatIsDocumented)
       testing::AllOf(testing::HasSubstr("type=\"PolyData\""),
         testing::Not(testing::HasSubstr("<AppendedData"))));
   }
+  // Samples without a cell each are there, but not shown.
+  EXPECT_THAT(ReadText(out / "meshes/visual_hull.vtp"),
+    testing::Not(testing::HasSubstr("NumberOfVerts=\"0\"")));
   EXPECT_TRUE(HalfWritten(out).empty());
   EXPECT_TRUE(ReadText(out / "novel.png") == ReadText(out / "stages/full.png"));
   EXPECT_EQ(ReadJson(out / "job.json").at("preset"), "best");
