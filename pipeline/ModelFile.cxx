@@ -159,8 +159,8 @@ void WriteModelFile(const TexturedModel& model, const fs::path& file)
   }
   else if (kind == ".vtp")
   {
-    // Appended data, the default, is not read where expat is newer than VTK knows (VTK before 9.3.1,
-    // also inside ParaView); arrays in their places are.
+    // Appended data, the default, cannot be read where expat is newer than VTK knows, as in Debian
+    // 12's ParaView 5.11; arrays in their places can.
     vtkNew<vtkXMLPolyDataWriter> writer;
     writer->SetDataModeToBinary();
     WriteByVtk(writer.Get(), ColouredPolyData(model), file);
