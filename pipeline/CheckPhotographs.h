@@ -22,7 +22,7 @@ struct CheckedPhotograph
   double Sharpness = 0; ///< see MeasureSharpness(); 0 = unknown
   /** Median luma of the object, 0 to 255. */
   double Brightness = 0;
-  /** Part of the object that is clipped to white in some channel, 0 to 1. */
+  /** Part of the object that is clipped at the top in some channel, 0 to 1. */
   double Clipped = 0;
   std::vector<std::string> Problems; ///< what cannot be read or does not fit, one sentence each
 };

@@ -364,7 +364,7 @@ private:
       if (photograph.Clipped > clipped + 0.1)
       {
         this->Add(CheckSeverity::Warning, "clipped", photograph.Name,
-          Formatted("%.0f %% of the object are clipped to white", 100 * photograph.Clipped) +
+          Formatted("%.0f %% of the object are clipped in some channel", 100 * photograph.Clipped) +
             Formatted(", in the others %.0f %%", 100 * clipped));
       }
     }

@@ -156,7 +156,10 @@ void WriteModelFile(const TexturedModel& model, const fs::path& file)
   }
   else if (kind == ".vtp")
   {
+    // Appended data, the default, cannot be read where expat is newer than VTK knows, as in Debian
+    // 12's ParaView 5.11; arrays in their places can.
     vtkNew<vtkXMLPolyDataWriter> writer;
+    writer->SetDataModeToBinary();
     WriteByVtk(writer.Get(), ColouredPolyData(model), file);
   }
   else

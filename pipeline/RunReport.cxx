@@ -10,7 +10,10 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/core/version.hpp>
 
+#include <vtkCellArray.h>
 #include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 #include <vtkVersion.h>
 #include <vtkXMLPolyDataWriter.h>
 
@@ -27,6 +30,26 @@ namespace
 std::string Text(double value)
 {
   return nlohmann::json(value).dump();
+}
+
+/** The mesh; with a vertex at each point when it has no cells, since viewers show cells only. */
+vtkSmartPointer<vtkPolyData> WithCells(vtkPolyData* mesh)
+{
+  if (mesh->GetNumberOfCells() > 0)
+  {
+    return mesh;
+  }
+  const vtkIdType count = mesh->GetNumberOfPoints();
+  vtkNew<vtkCellArray> vertices;
+  vertices->AllocateExact(count, count);
+  for (vtkIdType ptId = 0; ptId < count; ++ptId)
+  {
+    vertices->InsertNextCell(1, &ptId);
+  }
+  auto shown = vtkSmartPointer<vtkPolyData>::New();
+  shown->ShallowCopy(mesh);
+  shown->SetVerts(vertices);
+  return shown;
 }
 
 /** Pixels of the object that no photograph sees, 255. */
@@ -146,7 +169,8 @@ void RunReport::WriteMesh(const std::string& name, vtkPolyData* mesh) const
     [mesh](const fs::path& temporary)
     {
       vtkNew<vtkXMLPolyDataWriter> writer;
-      writer->SetInputData(mesh);
+      writer->SetInputData(WithCells(mesh));
+      writer->SetDataModeToBinary();    // some readers fail on appended data, see ModelFile.cxx
       writer->SetCompressorTypeToLZ4(); // zlib takes longer than most stages
       writer->SetFileName(temporary.c_str());
       return writer->Write() == 1;

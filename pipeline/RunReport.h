@@ -56,7 +56,7 @@ public:
   /** novel.png, novel_mask.png, novel_depth.tiff, novel_unseen.png. */
   void WriteNovel(vtkImageData* image) const;
 
-  /** meshes/NAME.vtp */
+  /** meshes/NAME.vtp; of a mesh without cells, with a vertex at each point. */
   void WriteMesh(const std::string& name, vtkPolyData* mesh) const;
 
   /**

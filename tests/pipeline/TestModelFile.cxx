@@ -311,8 +311,11 @@ TEST_F(ModelFile, PlyKeepsShapeAndColours)
 
 TEST_F(ModelFile, VtpKeepsEverything)
 {
+  const std::filesystem::path file = this->Written("model.vtp");
+  EXPECT_EQ(ReadText(file).find("<AppendedData"), std::string::npos)
+    << "which not every ParaView can read";
   vtkNew<vtkXMLPolyDataReader> reader;
-  reader->SetFileName(this->Written("model.vtp").c_str());
+  reader->SetFileName(file.c_str());
   reader->Update();
   const TriangleMesh mesh = ToTriangleMesh(reader->GetOutput(), "vtp");
   EXPECT_EQ(mesh.Triangles, Made.Mesh.Triangles);
