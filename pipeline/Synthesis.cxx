@@ -28,7 +28,7 @@ SynthesisOptions PresetOptions(const std::string& preset)
   {
     options.ReconcileSilhouettes = true;
     options.UseDepthMaps = true;
-    options.LongestEdgePx = 1;
+    options.LongestEdgePx = 2;
     options.ContourPrediction = true;
     options.References = 4;
     options.Power = 16;

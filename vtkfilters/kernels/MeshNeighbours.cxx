@@ -31,24 +31,25 @@ MeshNeighbours::MeshNeighbours(const TriangleMesh& mesh)
       this->TriangleIds[next[mesh.Triangles[cellId][corner]]++] = static_cast<int>(cellId);
     }
   }
-  std::vector<int> around;
+  this->PointIds.reserve(mesh.Points.size() + this->TriangleIds.size()); // as many in closed meshes
+  std::vector<int> lastAt(mesh.Points.size(), -1); // the point that a point was last found around
   for (std::size_t ptId = 0; ptId < mesh.Points.size(); ++ptId)
   {
-    around.clear();
-    for (const int cellId : this->Triangles(static_cast<int>(ptId)))
+    const int self = static_cast<int>(ptId);
+    lastAt[ptId] = self;
+    for (const int cellId : this->Triangles(self))
     {
-      for (int corner = 0; corner < 3; ++corner)
+      for (const int other : mesh.Triangles[cellId])
       {
-        const int other = mesh.Triangles[cellId][corner];
-        if (other != static_cast<int>(ptId))
+        if (lastAt[other] != self)
         {
-          around.push_back(other);
+          lastAt[other] = self;
+          this->PointIds.push_back(other);
         }
       }
     }
-    std::sort(around.begin(), around.end());
-    around.erase(std::unique(around.begin(), around.end()), around.end());
-    this->PointIds.insert(this->PointIds.end(), around.begin(), around.end());
+    std::sort(this->PointIds.begin() + static_cast<std::ptrdiff_t>(this->PointBegin[ptId]),
+      this->PointIds.end());
     this->PointBegin[ptId + 1] = this->PointIds.size();
   }
 }
