@@ -19,6 +19,7 @@ configurations=(
   "best without contour prediction|--no-contour-prediction"
   "best without measured depth noise|--depth-noise 0.15"
   "best without exposure gains|--no-exposure-gains"
+  "best without cut edges|--longest-edge 0"
   "best|"
 )
 # name|options of generate
