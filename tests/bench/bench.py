@@ -14,7 +14,7 @@ import sys
 
 import growth
 import tables
-from runs import Bench, DataSet, further_view, note, whole_runs
+from runs import Bench, DataSet, further_view, median_run, note, whole_runs
 
 PARTS = ["kernels", "runs", "growth"]
 SMALL, MIDDLE, LARGE = (DataSet(12, 640, 480, 9), DataSet(24, 1600, 1200, 3),
@@ -77,51 +77,65 @@ def run_kernels(options):
         return tables.kernel_times(json.load(file))
 
 
-def targets(medians, kernels, presets):
-    """Rows of: work, target, what was measured with two threads. What was not measured is left out."""
-    rows = []
+class Targets:
+    """Rows of: work, target, median and fastest with two threads, of what was measured."""
 
-    def add(work, target, value, unit, met):
-        rows.append([work, f"{target} {unit}",
-                     ("" if met else "**") + f"{tables.number(value)} {unit}" +
-                     ("" if met else "** ✗")])
+    def __init__(self, runs, kernels, presets):
+        self.rows = []
+        self.medians = {key: median_run(each) for key, each in runs.items()}
+        self.fastest = {key: median_run(each, min) for key, each in runs.items()}
+        for preset, seconds in (("best", 4), ("paper", 3)):
+            self.add_small(runs, preset, seconds)
+        for data_set, seconds, gib in ((MIDDLE, 40, 2), (LARGE, 80, 3)):
+            self.at_most(f"{data_set.title}, `best`, whole process", seconds,
+                         self.each((data_set, "best", 2, "run"), lambda run: run.whole))
+            self.at_most(f"{data_set.title}, `best`, memory", gib,
+                         self.each((data_set, "best", 2, "run"), lambda run: run.peak / 1024),
+                         "GiB")
+        for work, limit, name in self.KERNELS + [
+                (f"texture alone, {SMALL.width}×{SMALL.height}, `{preset}`", 25,
+                 f"texture/{preset}/views:12/width:640") for preset in presets]:
+            self.at_most(work, limit, (kernels.get((name, 2)), None), "ms")
 
-    def at_most(work, target, value, unit="s"):
-        if value is not None:
-            add(work, "≤ " + target, value, unit, value <= float(target))
+    KERNELS = [(f"hull source, {SMALL.title}", 400, "visual_hull/paper/views:12/width:640"),
+               ("power crust, 35,000 samples", 1200, "power_crust/samples:35000"),
+               ("power crust, 140,000 samples", 6000, "power_crust/samples:140000")]
 
-    def run(data_set, preset, threads=2):
-        return medians.get((data_set, preset, threads, "run"))
+    def each(self, key, number):
+        """A number of the median and of the fastest run."""
+        return tuple(number(runs[key]) if key in runs else None
+                     for runs in (self.medians, self.fastest))
 
-    for preset, seconds in (("best", "4"), ("paper", "3")):
-        done = run(SMALL, preset)
-        if done:
-            at_most(f"bunny, {SMALL.title}, `{preset}`, to the picture (`render`), whole process",
-                    seconds, medians[SMALL, preset, 2, "render 1"].whole)
-            at_most(f"each further view, `{preset}`", "0.4",
-                    further_view(medians, SMALL, preset, 2))
-            if run(SMALL, preset, 1):
-                ratio = run(SMALL, preset, 1).whole / done.whole
-                add(f"two threads against one, whole process, `{preset}`", "≥ 1.6", ratio, "times",
-                    ratio >= 1.6)
-    if run(SMALL, "best"):
-        at_most(f"depth maps, {SMALL.title}", "2.5", run(SMALL, "best").stages["depth maps"])
-    for data_set, seconds, gib in ((MIDDLE, "40", "2"), (LARGE, "80", "3")):
-        if run(data_set, "best"):
-            at_most(f"{data_set.title}, `best`, whole process", seconds,
-                    run(data_set, "best").whole)
-            at_most(f"{data_set.title}, `best`, memory", gib, run(data_set, "best").peak / 1024,
-                    "GiB")
-    for preset in presets:
-        at_most(f"texture alone, {SMALL.width}×{SMALL.height}, `{preset}`", "25",
-                kernels.get((f"texture/{preset}/views:12/width:640", 2)), "ms")
-    at_most(f"hull source, {SMALL.title}", "400",
-            kernels.get(("visual_hull/paper/views:12/width:640", 2)), "ms")
-    at_most("power crust, 35,000 samples", "1200", kernels.get(("power_crust/samples:35000", 2)),
-            "ms")
-    at_most("power crust, 140,000 samples", "6000", kernels.get(("power_crust/samples:140000", 2)),
-            "ms")
-    return tables.table(["work", "target", "measured"], rows) if rows else ""
+    def add_small(self, runs, preset, seconds):
+        if (SMALL, preset, 2, "run") not in runs:
+            return
+        self.at_most(f"bunny, {SMALL.title}, `{preset}`, to the picture (`render`), whole process",
+                     seconds, self.each((SMALL, preset, 2, "render 1"), lambda run: run.whole))
+        self.at_most(f"each further view, `{preset}`", 0.4,
+                     tuple(further_view(each, SMALL, preset, 2)
+                           for each in (self.medians, self.fastest)))
+        one, two = ((SMALL, preset, count, "render 1") for count in (1, 2))
+        if one in runs:
+            # Of runs that followed each other.
+            ratio = statistics.median(a.whole / b.whole for a, b in zip(runs[one], runs[two]))
+            fastest = self.fastest[one].whole / self.fastest[two].whole
+            self.add(f"two threads against one, whole process, `{preset}`", "≥ 1.6",
+                     (ratio, fastest), "times", ratio >= 1.6)
+        if preset == "best":
+            self.at_most(f"depth maps, {SMALL.title}", 2.5,
+                         self.each((SMALL, preset, 2, "run"), lambda run: run.stages["depth maps"]))
+
+    def at_most(self, work, limit, values, unit="s"):
+        if values[0] is not None:
+            self.add(work, f"≤ {limit:,}", values, unit, values[0] <= limit)
+
+    def add(self, work, target, values, unit, met):
+        median, fastest = (f"{tables.number(value)} {unit}" if value is not None else "–"
+                           for value in values)
+        self.rows.append([work, f"{target} {unit}", median if met else f"**{median}** ✗", fastest])
+
+    def table(self):
+        return tables.table(["work", "target", "median", "fastest"], self.rows) if self.rows else ""
 
 
 def heading(options, bench):
@@ -161,17 +175,17 @@ def main():
     options = arguments()
     bench = Bench(options.program, options.out)
     data_sets = QUICK if options.quick else [DATA_SETS[name] for name in options.data]
-    kernels, medians, text = {}, {}, ""
+    kernels, runs, text = {}, {}, ""
     if "kernels" in options.parts:
         kernels = run_kernels(options)
     if "runs" in options.parts:
-        medians = whole_runs(bench, data_sets, options.presets, options.threads,
-                             options.repetitions)
+        runs = whole_runs(bench, data_sets, options.presets, options.threads, options.repetitions)
+        medians = {key: median_run(each) for key, each in runs.items()}
         for preset in options.presets:
             text += tables.stage_table(medians, data_sets, preset, options.threads)
     if kernels:
         text += tables.kernel_table(kernels, options.threads)
-    text = targets(medians, kernels, options.presets) + text
+    text = Targets(runs, kernels, options.presets).table() + text
     if "growth" in options.parts:
         text += growth_text(options, bench)
     text = heading(options, bench) + text

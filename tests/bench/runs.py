@@ -12,6 +12,10 @@ import time
 from dataclasses import dataclass, field
 
 
+# The stages that a further view needs.
+VIEW_STAGES = ["culling", "outline", "non-outline", "texture", "report"]
+
+
 @dataclass(frozen=True)
 class DataSet:
     """Photographs of the bunny all around it, and novel cameras midway between neighbours."""
@@ -48,11 +52,10 @@ def note(text):
     print(text, file=sys.stderr, flush=True)
 
 
-def median_run(runs):
-    """Each number's own median."""
-    stages = {name: statistics.median(run.stages.get(name, 0) for run in runs)
-              for name in runs[0].stages}
-    return Run(*(statistics.median(getattr(run, name) for run in runs)
+def median_run(runs, middle=statistics.median):
+    """Each number's own median, or what else `middle` makes of them."""
+    stages = {name: middle([run.stages.get(name, 0) for run in runs]) for name in runs[0].stages}
+    return Run(*(middle([getattr(run, name) for run in runs])
                  for name in ("whole", "cpu", "peak", "others")), stages)
 
 
@@ -151,8 +154,8 @@ def view_words(folder, camera_file):
 
 def whole_runs(bench, data_sets, presets, threads, repetitions):
     """
-    Medians by (data set, preset, threads, command), "run" and "view": a run, and each further view.
-    Configurations take turns, so that whatever disturbs falls on all.
+    All runs by (data set, preset, threads, command); commands are "run", "render 1" and "render N"
+    with all cameras. Configurations take turns, so that whatever disturbs falls on all.
     """
     runs = {}
     for repetition in range(repetitions):
@@ -171,11 +174,10 @@ def whole_runs(bench, data_sets, presets, threads, repetitions):
                         key = (data_set, preset, count, name)
                         runs.setdefault(key, []).append(
                             bench.run(what, words + ["--preset", preset], count))
-    return {key: median_run(each) for key, each in runs.items()}
+    return runs
 
 
 def further_view(medians, data_set, preset, threads):
-    """Seconds that each further view of the same object takes."""
-    first = medians[data_set, preset, threads, "render 1"].whole
-    all_ = medians[data_set, preset, threads, f"render {data_set.novel}"].whole
-    return (all_ - first) / (data_set.novel - 1)
+    """Seconds that each further view of the same object takes: what depends on its camera."""
+    stages = medians[data_set, preset, threads, f"render {data_set.novel}"].stages
+    return sum(stages.get(stage, 0) for stage in VIEW_STAGES) / data_set.novel

@@ -4,6 +4,7 @@ import math
 import sys
 import unittest
 
+import bench
 import growth
 import tables
 from runs import Bench, DataSet, Run, further_view, median_run
@@ -63,9 +64,24 @@ class Tables(unittest.TestCase):
             for name, whole in (("run", 8), ("render 1", 4), ("render 9", 12)):
                 self.medians[self.data, "best", threads, name] = Run(
                     whole / threads, 0, 300, 0, {"texture": 0.5, "visual hull": 1})
+        self.medians[self.data, "best", 1, "render 9"].stages["texture"] = 4.5
 
-    def test_each_further_view_is_the_difference_over_their_number(self):
-        self.assertEqual(further_view(self.medians, self.data, "best", 1), 1)
+    def test_each_further_view_takes_what_depends_on_its_camera(self):
+        self.assertEqual(further_view(self.medians, self.data, "best", 1), 0.5)
+
+    def test_targets_tell_median_and_fastest_and_what_is_missed(self):
+        runs = {key: [run, Run(run.whole + 3, 0, 300, 0, {"texture": 9, "depth maps": 1}),
+                      Run(run.whole + 2, 0, 300, 0, run.stages)]
+                for key, run in self.medians.items()}
+        for each in runs.values():
+            each[0].stages["depth maps"] = 2
+        rows = bench.Targets(runs, {("power_crust/samples:35000", 2): 1300}, ["best"]).rows
+        # Two threads: 4 / 2, and that plus 3 and plus 2.
+        self.assertEqual(rows[0][1:], ["≤ 4 s", "4.00 s", "2.00 s"])
+        # One thread 4, 7, 6 against 2, 5, 4: 2, 1.4 and 1.5 times.
+        self.assertEqual(rows[2][1:], ["≥ 1.6 times", "**1.50 times** ✗", "2.00 times"])
+        self.assertEqual(rows[3][1:], ["≤ 2.5 s", "2.00 s", "1.00 s"])
+        self.assertEqual(rows[4][1:], ["≤ 1,200 ms", "**1300 ms** ✗", "–"])
 
     def test_stages_stand_in_their_order_with_rest_and_memory(self):
         lines = tables.stage_table(self.medians, [self.data], "best", [1, 2]).strip().splitlines()
