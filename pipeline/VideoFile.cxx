@@ -4,6 +4,7 @@
 #include "Error.h"
 #include "StderrSilence.h"
 
+#include <malloc.h>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
 
@@ -28,6 +29,29 @@ const std::map<std::string, std::vector<std::string>>& CodecsByExtension()
   };
   return codecs;
 }
+
+/**
+ * New memory is zero while it lives. The encoders' pictures have rows up to a multiple of sixteen;
+ * nobody fills those past the film's height, and they would show in the file.
+ */
+class ZeroedMemory
+{
+public:
+#ifdef M_PERTURB
+  ZeroedMemory()
+  {
+    mallopt(M_PERTURB, 0xff);
+  } // its complement is what memory is filled with
+  ~ZeroedMemory()
+  {
+    mallopt(M_PERTURB, 0);
+  }
+#else
+  ZeroedMemory() = default;
+#endif
+  ZeroedMemory(const ZeroedMemory&) = delete;
+  ZeroedMemory& operator=(const ZeroedMemory&) = delete;
+};
 
 /**
  * While one of these lives the thread, and those it starts, keep to one processor. An encoder asks
@@ -100,6 +124,7 @@ VideoFile::VideoFile(const fs::path& path, int width, int height, double fps)
   this->Own->Padded = cv::Mat::zeros(height + height % 2, width + width % 2, CV_8UC3);
   const StderrSilence silence; // of libraries that tell which codecs they have not
   const OneProcessor one;
+  const ZeroedMemory zeroed;
   std::string tried;
   const auto codecs = CodecsByExtension().find(path.extension().string());
   for (const std::string& codec :
@@ -143,6 +168,7 @@ void VideoFile::Add(const ImageRef<const std::uint8_t>& frame)
       }
     }
   }
+  const ZeroedMemory zeroed;
   this->Own->Writer.write(this->Own->Padded);
   ++this->Own->Frames;
 }
