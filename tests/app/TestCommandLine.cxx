@@ -53,8 +53,7 @@ Outcome Parse(std::vector<const char*> words, const std::function<void()>& inRun
   { outcome.Rendered = options; };
   commands.Evaluate = [&outcome](const EvaluateOptions& options, Console&)
   { outcome.Evaluated = options; };
-  commands.Orbit = [&outcome](const OrbitOptions& options, Console&)
-  { outcome.Filmed = options; };
+  commands.Orbit = [&outcome](const OrbitOptions& options, Console&) { outcome.Filmed = options; };
   commands.Convert = [&outcome](const ConvertOptions& options, Console&)
   { outcome.Converted = options; };
   commands.Check = [&outcome](const CheckOptions& options, Console&)
@@ -293,7 +292,9 @@ TEST(Program, InterruptStopsItOrderly)
   const TemporaryFolder folder;
   const std::string err = (folder / "err").string();
   // Enough views that it is still at work when the signal comes; and an end, should it not come.
-  const std::string command = "timeout 100 '" NOVELVIEW_PROGRAM "' generate --quiet --views 2000" +
+  // In the foreground timeout passes the signal on once; otherwise twice, which ends it at once.
+  const std::string command = "timeout --foreground 100 '" NOVELVIEW_PROGRAM
+                              "' generate --quiet --views 2000" +
     (" --out '" + (folder / "data").string()) + "' 2>'" + err +
     "' & sleep 2; kill -INT $!; wait $!";
   const int status = std::system(command.c_str());
