@@ -18,6 +18,7 @@ SynthesisStages::SynthesisStages(vtkMultiBlockDataSet* views, const SynthesisOpt
   this->Culler->SetInputConnection(this->Mesher->GetOutputPort());
   this->Outline->SetInputConnection(0, this->Culler->GetOutputPort());
   this->NonOutline->SetInputConnection(0, this->Outline->GetOutputPort());
+  this->Culler->SetMaximumEdgeLength(options.LongestEdgePx);
   this->SetHullOptions(options);
   this->SetDeformerOptions(options);
   this->SetMapperOptions(options);
@@ -48,8 +49,6 @@ void SynthesisStages::SetHullOptions(const SynthesisOptions& options)
 
 void SynthesisStages::SetDeformerOptions(const SynthesisOptions& options)
 {
-  this->Culler->SetMaximumEdgeLength(options.LongestEdgePx);
-
   this->Outline->SetNumberOfIterations(options.OutlineIterations);
   this->Outline->SetContourWeight(options.OutlineAlpha);
   this->Outline->SetSmoothWeight(options.OutlineBeta);

@@ -37,20 +37,19 @@ const std::map<std::string, std::vector<std::string>>& CodecsByExtension()
 class ZeroedMemory
 {
 public:
-#ifdef M_PERTURB
-  ZeroedMemory()
-  {
-    mallopt(M_PERTURB, 0xff);
-  } // its complement is what memory is filled with
-  ~ZeroedMemory()
-  {
-    mallopt(M_PERTURB, 0);
-  }
-#else
-  ZeroedMemory() = default;
-#endif
+  ZeroedMemory() { FillWith(0xff); }
+  ~ZeroedMemory() { FillWith(0); }
   ZeroedMemory(const ZeroedMemory&) = delete;
   ZeroedMemory& operator=(const ZeroedMemory&) = delete;
+
+private:
+  /** New memory holds the complement of this; 0 leaves it as it comes. */
+  static void FillWith([[maybe_unused]] int complement)
+  {
+#ifdef M_PERTURB
+    mallopt(M_PERTURB, complement);
+#endif
+  }
 };
 
 /**

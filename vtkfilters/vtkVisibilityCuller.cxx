@@ -54,6 +54,26 @@ novelview::TriangleMesh Extract(
   return part;
 }
 
+/** In arrays of real numbers the middles of cut edges, which come last, get the mean of the ends. */
+void SetMeans(vtkPointData* input, const std::vector<int>& keptIds,
+  const std::vector<std::array<int, 2>>& cutEdges, vtkPointData* output)
+{
+  for (int i = 0; i < output->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = output->GetArray(i);
+    if (!array || (array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE))
+    {
+      continue;
+    }
+    vtkDataArray* from = input->GetArray(array->GetName());
+    auto ptId = static_cast<vtkIdType>(keptIds.size());
+    for (const auto& [a, b] : cutEdges)
+    {
+      array->InterpolateTuple(ptId++, keptIds[a], from, keptIds[b], from, 0.5);
+    }
+  }
+}
+
 /** The data of points that remain, and then of the middles of cut edges between two of them. */
 void SetPointData(vtkPointData* input, const std::vector<std::uint8_t>& visible,
   const std::vector<int>& keptIds, const std::vector<std::array<int, 2>>& cutEdges,
@@ -81,16 +101,8 @@ void SetPointData(vtkPointData* input, const std::vector<std::uint8_t>& visible,
     visibleArray->SetValue(ptId, visible[a] && visible[b]);
     idArray->SetValue(ptId, -1);
     output->CopyData(input, a, ptId); // ids and flags have no mean
-    for (int i = 0; i < output->GetNumberOfArrays(); ++i)
-    {
-      vtkDataArray* array = output->GetArray(i);
-      if (array && (array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE))
-      {
-        vtkDataArray* from = input->GetArray(array->GetName());
-        array->InterpolateTuple(ptId, a, from, b, from, 0.5);
-      }
-    }
   }
+  SetMeans(input, keptIds, cutEdges, output);
   output->AddArray(visibleArray);
   output->AddArray(idArray);
 }

@@ -14,7 +14,7 @@ import sys
 
 import growth
 import tables
-from runs import Bench, DataSet, further_view, median_run, note, whole_runs
+from runs import Bench, DataSet, further_view, note, typical_run, whole_runs
 
 PARTS = ["kernels", "runs", "growth"]
 SMALL, MIDDLE, LARGE = (DataSet(12, 640, 480, 9), DataSet(24, 1600, 1200, 3),
@@ -82,8 +82,8 @@ class Targets:
 
     def __init__(self, runs, kernels, presets):
         self.rows = []
-        self.medians = {key: median_run(each) for key, each in runs.items()}
-        self.fastest = {key: median_run(each, min) for key, each in runs.items()}
+        self.medians = {key: typical_run(each) for key, each in runs.items()}
+        self.fastest = {key: typical_run(each, min) for key, each in runs.items()}
         for preset, seconds in (("best", 4), ("paper", 3)):
             self.add_small(runs, preset, seconds)
         for data_set, seconds, gib in ((MIDDLE, 40, 2), (LARGE, 80, 3)):
@@ -112,8 +112,8 @@ class Targets:
         self.at_most(f"bunny, {SMALL.title}, `{preset}`, to the picture (`render`), whole process",
                      seconds, self.each((SMALL, preset, 2, "render 1"), lambda run: run.whole))
         self.at_most(f"each further view, `{preset}`", 0.4,
-                     tuple(further_view(each, SMALL, preset, 2)
-                           for each in (self.medians, self.fastest)))
+                     tuple(further_view(runs, SMALL, preset, 2, of)
+                           for of in (statistics.median, min)))
         one, two = ((SMALL, preset, count, "render 1") for count in (1, 2))
         if one in runs:
             # Of runs that followed each other.
@@ -180,9 +180,8 @@ def main():
         kernels = run_kernels(options)
     if "runs" in options.parts:
         runs = whole_runs(bench, data_sets, options.presets, options.threads, options.repetitions)
-        medians = {key: median_run(each) for key, each in runs.items()}
         for preset in options.presets:
-            text += tables.stage_table(medians, data_sets, preset, options.threads)
+            text += tables.stage_table(runs, data_sets, preset, options.threads)
     if kernels:
         text += tables.kernel_table(kernels, options.threads)
     text = Targets(runs, kernels, options.presets).table() + text

@@ -3,7 +3,7 @@
 import math
 from dataclasses import dataclass
 
-from runs import DataSet, median_run, note, view_words
+from runs import DataSet, typical_run, note, view_words
 
 # n log n over a factor of sixteen from some ten thousand: 1.08 to 1.1; and some room for noise.
 LIMIT = 1.15
@@ -70,7 +70,7 @@ def measure(bench, quick, presets, threads, repetitions):
                             "spacing": round(point.spacing, 3)}
                     runs.append(bench.run(what, words, threads))
                 size = size_of(axis, point, bench.samples())
-                result[preset].setdefault(axis, []).append((size, median_run(runs)))
+                result[preset].setdefault(axis, []).append((size, typical_run(runs)))
     return result
 
 

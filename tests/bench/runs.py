@@ -52,10 +52,10 @@ def note(text):
     print(text, file=sys.stderr, flush=True)
 
 
-def median_run(runs, middle=statistics.median):
-    """Each number's own median, or what else `middle` makes of them."""
-    stages = {name: middle([run.stages.get(name, 0) for run in runs]) for name in runs[0].stages}
-    return Run(*(middle([getattr(run, name) for run in runs])
+def typical_run(runs, of=statistics.median):
+    """A run each of whose numbers is the median, or another statistic, of these runs' numbers."""
+    stages = {name: of([run.stages.get(name, 0) for run in runs]) for name in runs[0].stages}
+    return Run(*(of([getattr(run, name) for run in runs])
                  for name in ("whole", "cpu", "peak", "others")), stages)
 
 
@@ -177,7 +177,10 @@ def whole_runs(bench, data_sets, presets, threads, repetitions):
     return runs
 
 
-def further_view(medians, data_set, preset, threads):
-    """Seconds that each further view of the same object takes: what depends on its camera."""
-    stages = medians[data_set, preset, threads, f"render {data_set.novel}"].stages
-    return sum(stages.get(stage, 0) for stage in VIEW_STAGES) / data_set.novel
+def further_view(runs, data_set, preset, threads, of=statistics.median):
+    """
+    Seconds that each further view of the same object takes: what depends on its camera. The median,
+    or another statistic, of all runs.
+    """
+    return of([sum(run.stages.get(stage, 0) for stage in VIEW_STAGES) / data_set.novel
+               for run in runs[data_set, preset, threads, f"render {data_set.novel}"]])

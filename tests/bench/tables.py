@@ -3,7 +3,7 @@
 import csv
 import re
 
-from runs import further_view
+from runs import further_view, typical_run
 
 STAGES = ["photographs", "silhouettes", "visual hull", "power crust", "depth maps", "culling",
           "outline", "non-outline", "texture", "report"]
@@ -26,20 +26,20 @@ def plural(threads):
     return f"{threads} thread" + ("s" if threads > 1 else "")
 
 
-def stage_table(medians, data_sets, preset, threads):
-    """A row per stage, a column per data set and number of threads; seconds and MiB."""
+def stage_table(runs, data_sets, preset, threads):
+    """A row per stage, a column per data set and number of threads; median seconds and MiB."""
     keys = [(data_set, count) for data_set in data_sets for count in threads]
-    runs = [medians[data_set, preset, count, "run"] for data_set, count in keys]
+    medians = [typical_run(runs[data_set, preset, count, "run"]) for data_set, count in keys]
     rows = []
     for stage in STAGES:
-        if any(stage in run.stages for run in runs):
-            rows.append([stage] + [number(run.stages.get(stage)) for run in runs])
-    rows.append(["start-up and rest"] + [number(run.rest) for run in runs])
-    rows.append(["**whole process**"] + [f"**{number(run.whole)}**" for run in runs])
+        if any(stage in run.stages for run in medians):
+            rows.append([stage] + [number(run.stages.get(stage)) for run in medians])
+    rows.append(["start-up and rest"] + [number(run.rest) for run in medians])
+    rows.append(["**whole process**"] + [f"**{number(run.whole)}**" for run in medians])
     rows.append(["each further view"] +
-                [number(further_view(medians, data_set, preset, count))
+                [number(further_view(runs, data_set, preset, count))
                  for data_set, count in keys])
-    rows.append(["peak memory, MiB"] + [f"{run.peak:.0f}" for run in runs])
+    rows.append(["peak memory, MiB"] + [f"{run.peak:.0f}" for run in medians])
     head = [f"`{preset}`, s"] + [f"{data_set.title}, {plural(count)}" for data_set, count in keys]
     return table(head, rows)
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "FieldDeformation.h"
 
+#include "FillInLayers.h"
 #include "MeshNeighbours.h"
 #include "NonOutlineDeformation.h"
 #include "NovelProjection.h"
@@ -275,51 +276,36 @@ private:
   void FillFromNeighbours()
   {
     std::vector<int> open;
+    std::vector<std::uint8_t> known(this->Goal.size());
     for (int ptId = 0; ptId < static_cast<int>(this->Goal.size()); ++ptId)
     {
-      if (this->Active[ptId] && this->Goal[ptId] <= 0)
+      known[ptId] = this->Goal[ptId] > 0;
+      if (this->Active[ptId] && !known[ptId])
       {
         open.push_back(ptId);
       }
     }
-    while (!open.empty())
-    {
-      std::vector<int> rest;
-      std::vector<std::pair<int, double>> found;
-      for (const int ptId : open)
+    FillInLayers(
+      open,
+      [&](int ptId)
       {
         double sum = 0;
         int count = 0;
         for (const int other : this->Neighbours.Points(ptId))
         {
-          if (this->Goal[other] > 0)
-          {
-            sum += this->Goal[other];
-            ++count;
-          }
+          sum += known[other] ? this->Goal[other] : 0;
+          count += known[other];
         }
-        if (count)
-        {
-          found.emplace_back(ptId, sum / count);
-        }
-        else
-        {
-          rest.push_back(ptId);
-        }
-      }
-      if (found.empty())
-      {
-        break;
-      }
-      for (const auto& [ptId, depth] : found)
-      {
-        this->Goal[ptId] = depth;
-      }
-      open = std::move(rest);
-    }
+        this->Goal[ptId] = count ? sum / count : this->Goal[ptId];
+        return count > 0;
+      },
+      [&](int ptId) { known[ptId] = 1; });
     for (const int ptId : open)
     {
-      this->Goal[ptId] = this->Start[ptId]; // nothing is known anywhere around: stay on the hull
+      if (!known[ptId])
+      {
+        this->Goal[ptId] = this->Start[ptId]; // nothing is known anywhere around: stay on the hull
+      }
     }
   }
 

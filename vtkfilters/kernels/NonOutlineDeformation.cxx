@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 
 namespace novelview
@@ -200,10 +201,9 @@ private:
     const int key = this->Keys[ptId];
     // A point that stayed where it was, with the same key, has the same partners.
     std::vector<SubPoint>& subPoints = this->Partners[ptId].SubPoints;
-    if (key != this->Partners[ptId].Key || here != this->Partners[ptId].Position)
+    if (key != this->Partners[ptId].Key || this->Moved[ptId])
     {
       this->Partners[ptId].Key = key;
-      this->Partners[ptId].Position = here;
       subPoints.clear();
       if (key >= 0)
       {
@@ -284,7 +284,6 @@ private:
   struct PointPartners
   {
     int Key = -1;
-    Vector3d Position = Vector3d::Zero();
     std::vector<SubPoint> SubPoints;
   };
   std::vector<PointPartners> Partners;

@@ -290,7 +290,7 @@ private:
 
   std::vector<Side> LabelsOfTets() const
   {
-    std::vector<Side> labels(this->Complex.Tets.size(), Side::Unknown);
+    std::vector<Side> labels(this->Complex.Tets.size());
     for (int tet = 0; tet < this->Complex.NumberOfTets(); ++tet)
     {
       labels[tet] = this->Complex.TouchesCorner(tet) ? Side::Outside : Side::Unknown;
@@ -632,29 +632,21 @@ int BestPyramid(const DelaunayComplex& complex, const std::vector<Side>& labels,
 /** Pieces of equal label connected through facets: per tetrahedron the piece's lowest one. */
 std::vector<int> FindPieces(const DelaunayComplex& complex, const std::vector<Side>& labels)
 {
-  std::vector<int> roots(complex.Tets.size(), -1);
-  std::vector<int> open;
-  for (int root = 0; root < complex.NumberOfTets(); ++root)
+  DisjointSets sets(complex.NumberOfTets());
+  for (int tet = 0; tet < complex.NumberOfTets(); ++tet)
   {
-    if (roots[root] >= 0)
+    for (int other : complex.Neighbors[tet])
     {
-      continue;
-    }
-    roots[root] = root;
-    open.push_back(root);
-    while (!open.empty())
-    {
-      const int tet = open.back();
-      open.pop_back();
-      for (int other : complex.Neighbors[tet])
+      if (other > tet && labels[other] == labels[tet])
       {
-        if (other >= 0 && roots[other] < 0 && labels[other] == labels[root])
-        {
-          roots[other] = root;
-          open.push_back(other);
-        }
+        sets.Unite(tet, other);
       }
     }
+  }
+  std::vector<int> roots(complex.Tets.size());
+  for (int tet = 0; tet < complex.NumberOfTets(); ++tet)
+  {
+    roots[tet] = sets.Find(tet);
   }
   return roots;
 }

@@ -345,7 +345,10 @@ private:
   DisjointSets Sets;
 };
 
-/** Samples of like normals keep this distance, in spacings; surfaces across the lattice have more. */
+/**
+ * Samples of like normals are this far apart at least, in spacings. Where the surface runs along the
+ * lattice they are a whole spacing apart anyway.
+ */
 constexpr double LeastDistance = 0.7;
 
 /** Normals are alike up to 60 degrees: the two sides of a thin sheet are not. */

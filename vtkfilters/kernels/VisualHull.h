@@ -15,7 +15,7 @@ namespace novelview
 {
 struct VisualHullOptions
 {
-  /** Of the lattice, in pixels of the photographs at the object's middle. [0.25, 64] */
+  /** Edge of a lattice cell, in pixels of the photographs at the object's middle. [0.25, 64] */
   double SpacingPx = 2.0;
   /** Where to search; found from the silhouettes when not given. */
   std::optional<Eigen::AlignedBox3d> Box;
