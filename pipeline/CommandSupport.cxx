@@ -54,6 +54,7 @@ SynthesisListener ListenerFor(Console& console)
   { return console.Progress(stage, fraction); };
   listener.StageDone = [&console](const std::string& stage, double seconds)
   { console.StageDone(stage, seconds); };
+  listener.StagesOverlapped = [&console](double seconds) { console.StagesOverlapped(seconds); };
   listener.Warn = [&console](const std::string& text) { console.Warn(text); };
   return listener;
 }

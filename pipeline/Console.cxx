@@ -42,8 +42,7 @@ Console::Console(Verbosity verbosity, std::FILE* out, std::FILE* err)
   : Out(LinesTo(out, "%v"))
   , Err(LinesTo(err, "novelview: %l: %v"))
 {
-  this->Err->set_level(
-    verbosity == Verbosity::Silent ? spdlog::level::off : spdlog::level::trace);
+  this->Err->set_level(verbosity == Verbosity::Silent ? spdlog::level::off : spdlog::level::trace);
   this->Out->set_level(verbosity <= Verbosity::Quiet
       ? spdlog::level::off
       : (verbosity == Verbosity::Verbose ? spdlog::level::debug : spdlog::level::info));
@@ -156,8 +155,9 @@ std::string Console::TimingsText() const
   {
     stages[stage] = seconds;
   }
-  const nlohmann::ordered_json timings = { { "stages", stages }, { "whole", this->SecondsSoFar() },
-    { "threads", NumberOfThreads() }, { "peakMemoryMiB", PeakMemoryMiB() } };
+  const nlohmann::ordered_json timings = { { "stages", stages }, { "overlap", this->Overlap },
+    { "whole", this->SecondsSoFar() }, { "threads", NumberOfThreads() },
+    { "peakMemoryMiB", PeakMemoryMiB() } };
   return timings.dump(2) + "\n";
 }
 

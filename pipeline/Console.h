@@ -37,6 +37,8 @@ public:
   bool Progress(const std::string& what, double fraction);
   /** A stage has ended. */
   void StageDone(const std::string& stage, double seconds);
+  /** Two stages ran at the same time, in so many seconds less than the sum of both. */
+  void StagesOverlapped(double seconds) { this->Overlap += seconds; }
   /** Does what is no filter's work, and counts it as a stage. */
   void RunTimed(const std::string& stage, const std::function<void()>& work);
 
@@ -52,8 +54,8 @@ public:
   void Summary();
   /**
    * The same for programs, as a JSON object: "stages" (an object of "seconds" by stage, in the
-   * order of their ends), "whole" (seconds since the Console was made), "threads" and
-   * "peakMemoryMiB".
+   * order of their ends), "overlap" (seconds by which their sum is too large, since some ran at the
+   * same time), "whole" (seconds since the Console was made), "threads" and "peakMemoryMiB".
    */
   std::string TimingsText() const;
 
@@ -71,6 +73,7 @@ private:
   std::FILE* Terminal = nullptr;          ///< where the bar is drawn; null = nowhere
   std::string Bar;                        ///< as drawn last
   std::vector<std::pair<std::string, double>> Stages;
+  double Overlap = 0;
   std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
 };
 

@@ -34,6 +34,7 @@ SynthesisListener SharedWork::Listener()
       this->Con.StageDone(stage, seconds);
     }
   };
+  listener.StagesOverlapped = [this](double seconds) { this->Con.StagesOverlapped(seconds); };
   listener.Warn = [this](const std::string& text)
   {
     if (this->Noting)

@@ -91,11 +91,12 @@ fs::path FileOf(const void* function)
   return dladdr(function, &info) && info.dli_fname ? fs::path(info.dli_fname) : fs::path();
 }
 
-/** Results of other code are not ours: the kernels' and the filters' files count. */
+/** Results of other code are not ours: the files of kernels, filters and their wiring count. */
 void AddCode(Hash& hash)
 {
   hash.AddFile(FileOf(reinterpret_cast<const void*>(&ComputePowerCrust)));
   hash.AddFile(FileOf(reinterpret_cast<const void*>(&vtkReferenceDepthEstimator::New)));
+  hash.AddFile(FileOf(reinterpret_cast<const void*>(&PresetOptions)));
 }
 
 void AddOptions(Hash& hash, const SynthesisOptions& options)

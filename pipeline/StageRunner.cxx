@@ -2,6 +2,7 @@
 #include "StageRunner.h"
 
 #include "Error.h"
+#include "Parallel.h"
 #include "Threads.h"
 
 #include <vtkAlgorithm.h>
@@ -9,6 +10,8 @@
 #include <vtkExecutive.h>
 #include <vtkNew.h>
 
+#include <algorithm>
+#include <atomic>
 #include <chrono>
 
 namespace novelview
@@ -111,5 +114,37 @@ void RunStage(const std::string& stage, vtkAlgorithm* filter, const StageProgres
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
     done(stage, taken.count());
   }
+}
+
+double RunStagesTogether(const StageRun& first, const StageRun& second,
+  const StageProgress& progress, const StageDone& done)
+{
+  std::atomic<bool> stopped = false;
+  const StageProgress progressOf[2] = {
+    [&](const std::string& stage, double fraction)
+    {
+      stopped = stopped || (progress && !progress(stage, fraction));
+      return !stopped;
+    },
+    [&](const std::string&, double) { return !stopped; },
+  };
+  const StageRun* const runs[2] = { &first, &second };
+  double seconds[2] = { -1, -1 }; // of those that were not up to date already
+  const auto start = std::chrono::steady_clock::now();
+  ParallelForEach(2,
+    [&](std::size_t i)
+    {
+      RunStage(runs[i]->Stage, runs[i]->Filter, progressOf[i],
+        [&seconds, i](const std::string&, double taken) { seconds[i] = taken; });
+    });
+  const std::chrono::duration<double> both = std::chrono::steady_clock::now() - start;
+  for (const int i : { 1, 0 })
+  {
+    if (done && seconds[i] >= 0)
+    {
+      done(runs[i]->Stage, seconds[i]);
+    }
+  }
+  return std::max(0.0, std::max(seconds[0], 0.0) + std::max(seconds[1], 0.0) - both.count());
 }
 }

@@ -23,6 +23,21 @@ using StageDone = std::function<void(const std::string& stage, double seconds)>;
  */
 void RunStage(const std::string& stage, vtkAlgorithm* filter, const StageProgress& progress = {},
   const StageDone& done = {});
+
+struct StageRun
+{
+  std::string Stage;
+  vtkAlgorithm* Filter;
+};
+
+/**
+ * RunStage() for two filters at the same time, if there are threads for that. They must not share a
+ * filter before them. The progress told is the first one's; a stop asked for stops both. When both
+ * have ended, `done` hears of the second and then of the first. Returns by how many seconds that was
+ * shorter than one after the other.
+ */
+double RunStagesTogether(const StageRun& first, const StageRun& second,
+  const StageProgress& progress = {}, const StageDone& done = {});
 }
 
 #endif

@@ -181,11 +181,7 @@ private:
     {
       return;
     }
-    this->RunCrust();
-    if (this->Options.UseDepthMaps)
-    {
-      this->Run("depth maps", this->Filters.DepthEstimator);
-    }
+    this->Options.UseDepthMaps ? this->RunCrustAndDepths() : this->RunCrust();
     if (!this->Cache || this->Stored)
     {
       return;
@@ -268,6 +264,13 @@ private:
       this->WarnOfOffsets();
     }
     this->Run("visual hull", this->Filters.HullSource);
+    if (!this->HullOfCrust)
+    {
+      // By hand, since pipelines that run at the same time must have no filter in common.
+      this->HullOfCrust = vtkSmartPointer<vtkPolyData>::New();
+      this->HullOfCrust->ShallowCopy(this->Filters.HullSource->GetOutput());
+      this->Filters.Mesher->SetInputData(this->HullOfCrust);
+    }
     if (const int dropped = this->Filters.HullSource->GetNumberOfDroppedComponents();
         dropped > 0 && !this->ToldOfDropped)
     {
@@ -282,6 +285,18 @@ private:
   {
     this->RunHull();
     this->Run("power crust", this->Filters.Mesher);
+  }
+
+  /** Neither needs the other, and the crust keeps few threads busy. */
+  void RunCrustAndDepths()
+  {
+    this->RunHull();
+    const double saved = RunStagesTogether({ "depth maps", this->Filters.DepthEstimator },
+      { "power crust", this->Filters.Mesher }, this->Listener.Progress, this->Listener.StageDone);
+    if (this->Listener.StagesOverlapped && saved > 0)
+    {
+      this->Listener.StagesOverlapped(saved);
+    }
   }
 
   /** Tells once of every silhouette that was enlarged. */
@@ -381,7 +396,8 @@ private:
   const SynthesisListener Listener;
   SynthesisStages Filters;
   std::optional<StageCache> Cache;
-  std::optional<ViewIndependent> Kept; ///< what the cache had
+  std::optional<ViewIndependent> Kept;      ///< what the cache had
+  vtkSmartPointer<vtkPolyData> HullOfCrust; ///< the Mesher's input
   bool Looked = false;
   bool Stored = false;
   std::vector<std::string> Warnings;

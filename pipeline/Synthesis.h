@@ -106,6 +106,8 @@ struct SynthesisListener
   std::function<bool(const std::string& stage, double fraction)> Progress;
   /** A stage has ended after so many seconds. */
   std::function<void(const std::string& stage, double seconds)> StageDone;
+  /** Two stages ran at the same time, and took so many seconds less than the sum of both. */
+  std::function<void(double seconds)> StagesOverlapped;
   /** Something the user should read. */
   std::function<void(const std::string& text)> Warn;
   /** After every iteration of a deformer; costs one texturing each when set. */

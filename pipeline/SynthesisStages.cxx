@@ -14,7 +14,7 @@ SynthesisStages::SynthesisStages(vtkMultiBlockDataSet* views, const SynthesisOpt
     options.ReconcileSilhouettes ? this->Reconciler->GetOutputPort() : this->Views->GetOutputPort(),
     options.UseDepthMaps);
   this->Mesher->SetInputConnection(this->HullSource->GetOutputPort());
-  this->DepthEstimator->SetInputConnection(1, this->Mesher->GetOutputPort());
+  this->DepthEstimator->SetInputConnection(1, this->HullSource->GetOutputPort(1));
   this->Culler->SetInputConnection(this->Mesher->GetOutputPort());
   this->Outline->SetInputConnection(0, this->Culler->GetOutputPort());
   this->NonOutline->SetInputConnection(0, this->Outline->GetOutputPort());

@@ -19,6 +19,7 @@ vtkStandardNewMacro(vtkVisualHullSource);
 vtkVisualHullSource::vtkVisualHullSource()
 {
   this->SetNumberOfInputPorts(1);
+  this->SetNumberOfOutputPorts(2);
 }
 
 //------------------------------------------------------------------------------
@@ -56,6 +57,7 @@ int vtkVisualHullSource::RequestData(
       vtkPolyData* output = vtkPolyData::GetData(outputs);
       novelview::FromTriangleMesh(samples, output);
       output->GetPointData()->SetNormals(novelview::NewNormals(hull.Samples.Normals));
+      novelview::FromTriangleMesh(hull.Surface, vtkPolyData::GetData(outputs, 1));
       this->NumberOfDroppedComponents = hull.DroppedComponents;
       this->NumberOfDroppedSamples = static_cast<vtkIdType>(hull.DroppedSamples);
       this->WorldSpacing = hull.Spacing;

@@ -41,11 +41,12 @@ class Run:
     peak: float
     others: float
     stages: dict = field(default_factory=dict)
+    overlap: float = 0  # by how much their sum is too large, since some ran at the same time
 
     @property
     def rest(self):
         """Start-up, end, and whatever is no stage."""
-        return self.whole - sum(self.stages.values())
+        return self.whole - sum(self.stages.values()) + self.overlap
 
 
 def note(text):
@@ -56,7 +57,8 @@ def typical_run(runs, of=statistics.median):
     """A run each of whose numbers is the median, or another statistic, of these runs' numbers."""
     stages = {name: of([run.stages.get(name, 0) for run in runs]) for name in runs[0].stages}
     return Run(*(of([getattr(run, name) for run in runs])
-                 for name in ("whole", "cpu", "peak", "others")), stages)
+                 for name in ("whole", "cpu", "peak", "others")), stages,
+               of([run.overlap for run in runs]))
 
 
 def busy_seconds():
@@ -127,13 +129,14 @@ class Bench:
             with open(os.path.join(self.out, "log.txt"), encoding="utf-8") as log:
                 sys.exit(f"failed ({process.returncode}): {' '.join(command)}\n{log.read()}")
         with open(timings, encoding="utf-8") as file:
-            stages = json.load(file)["stages"]
+            measured = json.load(file)
         cpu = usage.ru_utime + usage.ru_stime
         others = max(0.0, busy_seconds() - busy - cpu) / (whole * os.cpu_count())
-        run = Run(whole, cpu, usage.ru_maxrss / 1024, others, stages)
+        run = Run(whole, cpu, usage.ru_maxrss / 1024, others, measured["stages"],
+                  measured["overlap"])
         self.log.append({**what, "threads": threads, "whole": run.whole, "cpu": run.cpu,
                          "peakMemoryMiB": run.peak, "others": run.others, "rest": run.rest,
-                         "stages": stages})
+                         "overlap": run.overlap, "stages": run.stages})
         note(f"  {', '.join(str(value) for value in what.values())}, threads {threads}: "
              f"{run.whole:.2f} s, {run.peak:.0f} MiB")
         return run

@@ -13,8 +13,9 @@ def number(value):
     """Three significant digits, and no more than milliseconds."""
     if value is None:
         return "–"
-    return f"{value:.0f}" if value >= 100 else f"{value:.{1 if value >= 10 else 2}f}" \
-        if value >= 1 else f"{value:.3f}"
+    size = abs(value)
+    digits = 0 if size >= 100 else 1 if size >= 10 else 2 if size >= 1 else 3
+    return f"{value:.{digits}f}".replace("-", "−")
 
 
 def table(head, rows):
@@ -34,6 +35,9 @@ def stage_table(runs, data_sets, preset, threads):
     for stage in STAGES:
         if any(stage in run.stages for run in medians):
             rows.append([stage] + [number(run.stages.get(stage)) for run in medians])
+    if any(run.overlap > 0 for run in medians):
+        rows.append(["crust beside depth maps"] +
+                    [number(-run.overlap) if run.overlap > 0 else "–" for run in medians])
     rows.append(["start-up and rest"] + [number(run.rest) for run in medians])
     rows.append(["**whole process**"] + [f"**{number(run.whole)}**" for run in medians])
     rows.append(["each further view"] +

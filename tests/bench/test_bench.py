@@ -76,17 +76,17 @@ class Tables(unittest.TestCase):
         self.assertAlmostEqual(further_view(self.runs, self.data, "best", 1, min), 0.3)
 
     def test_targets_tell_median_and_fastest_and_what_is_missed(self):
-        runs = {key: [run, Run(run.whole + 3, 0, 300, 0, {"texture": 9, "depth maps": 1}),
+        runs = {key: [run, Run(run.whole + 3, 0, 300, 0, {"texture": 9}),
                       Run(run.whole + 2, 0, 300, 0, run.stages)]
                 for key, (run,) in self.runs.items()}
-        for each in runs.values():
-            each[0].stages["depth maps"] = 2
-        rows = bench.Targets(runs, {("power_crust/samples:35000", 2): 1300}, ["best"]).rows
+        kernels = {("power_crust/samples:35000", 2): 1300,
+                   ("depth_maps/best/views:12/width:640", 2): 2000}
+        rows = bench.Targets(runs, kernels, ["best"]).rows
         # Two threads: 4 / 2, and that plus 3 and plus 2.
         self.assertEqual(rows[0][1:], ["≤ 4 s", "4.00 s", "2.00 s"])
         # One thread 4, 7, 6 against 2, 5, 4: 2, 1.4 and 1.5 times.
         self.assertEqual(rows[2][1:], ["≥ 1.6 times", "**1.50 times** ✗", "2.00 times"])
-        self.assertEqual(rows[3][1:], ["≤ 2.5 s", "2.00 s", "1.00 s"])
+        self.assertEqual(rows[3][1:], ["≤ 2,500 ms", "2000 ms", "–"])
         self.assertEqual(rows[4][1:], ["≤ 1,200 ms", "**1300 ms** ✗", "–"])
 
     def test_stages_stand_in_their_order_with_rest_and_memory(self):
@@ -95,6 +95,14 @@ class Tables(unittest.TestCase):
                          ["visual hull", "texture", "start-up and rest", "**whole process**",
                           "each further view", "peak memory, MiB"])
         self.assertEqual(lines[4], "| start-up and rest | 6.50 | 2.50 |")
+
+    def test_what_ran_at_the_same_time_counts_once(self):
+        for threads in (1, 2):
+            run = self.runs[self.data, "best", threads, "run"][0]
+            run.overlap = 0.25 * (threads - 1)
+        lines = tables.stage_table(self.runs, [self.data], "best", [1, 2]).strip().splitlines()
+        self.assertEqual(lines[4:6], ["| crust beside depth maps | – | −0.250 |",
+                                      "| start-up and rest | 6.50 | 2.75 |"])
 
     def test_medians_are_each_numbers_own(self):
         runs = [Run(3, 1, 10, 0, {"a": 5}), Run(1, 2, 30, 0, {"a": 4}), Run(2, 9, 20, 0, {"a": 9})]

@@ -6,6 +6,9 @@
 #include "support/Expect.h"
 #include "support/Scene.h"
 
+#include <algorithm>
+#include <map>
+
 using namespace novelview;
 using namespace support;
 
@@ -144,6 +147,46 @@ TEST(VisualHull, SamplesLeaveNoHoles)
   }
 }
 
+TEST(VisualHull, TheSurfaceIsClosedAndFacesOutwards)
+{
+  const auto views = ViewsOf(SpherePhotos());
+  const VisualHullResult hull = ComputeVisualHull(views);
+  std::map<std::pair<int, int>, int> edges; // uses in this direction less those in the other
+  double volume = 0;
+  for (const Eigen::Vector3i& t : hull.Surface.Triangles)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const auto [low, high] = std::minmax(t[k], t[(k + 1) % 3]);
+      edges[{ low, high }] += t[k] == low ? 1 : -1;
+    }
+    const std::vector<Vector3d>& p = hull.Surface.Points;
+    volume += p[t[0]].dot(p[t[1]].cross(p[t[2]])) / 6;
+  }
+  for (const auto& [edge, balance] : edges)
+  {
+    EXPECT_EQ(balance, 0) << edge.first << ", " << edge.second;
+  }
+  // That of the hull, which is star-shaped, by rays in many directions; these give it to a percent.
+  const SilhouetteField field(views);
+  double expected = 0;
+  constexpr int rays = 2000;
+  for (const Vector3d& direction : RandomPoints(rays, 1, 3))
+  {
+    double inside = 0;
+    double outside = 0.7;
+    for (int step = 0; step < 20; ++step)
+    {
+      const double middle = 0.5 * (inside + outside);
+      (field.Value(middle * direction.normalized()) >= 0 ? inside : outside) = middle;
+    }
+    expected += 4.0 / 3 * 3.14159 * inside * inside * inside / rays;
+  }
+  EXPECT_NEAR(volume, expected, 0.03 * expected);
+  // Samples are thinned out after it was made, and are of its points.
+  EXPECT_GT(hull.Surface.Points.size(), hull.Samples.Points.size());
+}
+
 TEST(VisualHull, SamplesOfOneSurfaceKeepTheirDistance)
 {
   const VisualHullResult hull = ComputeVisualHull(ViewsOf(SpherePhotos()));
@@ -208,10 +251,14 @@ TEST(VisualHull, TheSmallerOfTwoObjectsIsDroppedAndCounted)
   EXPECT_EQ(largest.DroppedComponents, 1);
   EXPECT_EQ(largest.DroppedSamples + largest.Samples.Points.size(), all.Samples.Points.size());
   EXPECT_GT(largest.DroppedSamples, 0u);
-  for (const Vector3d& sample : largest.Samples.Points)
+  for (const std::vector<Vector3d>* points : { &largest.Samples.Points, &largest.Surface.Points })
   {
-    EXPECT_GT(sample.y(), -0.1); // between the two
+    for (const Vector3d& point : *points)
+    {
+      EXPECT_GT(point.y(), -0.1); // between the two
+    }
   }
+  EXPECT_GT(all.Surface.Triangles.size(), largest.Surface.Triangles.size());
 }
 
 TEST(VisualHull, GhostsThatTwoViewsCannotTellFromObjectsAreComponents)

@@ -74,6 +74,8 @@ TEST(Console, TimingsAreStagesWholeThreadsAndMemory)
       console.StageDone("visual hull", 1);
       console.StageDone("texture", 2);
       console.StageDone("texture", 0.5);
+      console.StagesOverlapped(0.75);
+      console.StagesOverlapped(0.5);
       console.RunTimed(
         "report", [] { std::this_thread::sleep_for(std::chrono::milliseconds(20)); });
       EXPECT_THROW(console.RunTimed("broken", [] { throw Error("a", "b"); }), Error);
@@ -86,6 +88,7 @@ TEST(Console, TimingsAreStagesWholeThreadsAndMemory)
       EXPECT_THAT(stages, testing::ElementsAre("visual hull", "texture", "report"))
         << "in the order of their ends; what failed is none";
       EXPECT_EQ(timings.at("stages").at("texture"), 2.5);
+      EXPECT_EQ(timings.at("overlap"), 1.25);
       // What it slept.
       EXPECT_GE(timings.at("stages").at("report"), 0.02);
       EXPECT_GE(timings.at("whole"), timings.at("stages").at("report"));

@@ -9,7 +9,11 @@
 
 #include <vtkNew.h>
 
+#include <gmock/gmock.h>
+
+#include <algorithm>
 #include <atomic>
+#include <set>
 
 using namespace novelview;
 using namespace support;
@@ -32,6 +36,85 @@ TEST(StageRunner, AStopFlagEndsAStageAsInterrupted)
   stop.Flag = false;
   RunStage("visual hull", hull);
   EXPECT_GT(hull->GetOutput()->GetNumberOfPoints(), 0) << "and the filter can be run again";
+}
+
+TEST(StageRunner, TwoStagesTogetherMakeWhatEachMakesAlone)
+{
+  const auto views = ToBlocks(BoxPhotos());
+  const auto hullOf = [&views](double spacing)
+  {
+    auto hull = vtkSmartPointer<vtkVisualHullSource>::New();
+    auto ownViews = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+    ownViews->ShallowCopy(views);
+    hull->SetInputData(ownViews);
+    hull->SetSampleSpacing(spacing);
+    return hull;
+  };
+  const auto alone = hullOf(2);
+  RunStage("alone", alone);
+  for (const int threads : { 1, 2, 0 })
+  {
+    LimitThreads(threads);
+    const auto fine = hullOf(2);
+    const auto coarse = hullOf(4);
+    std::vector<std::string> told;
+    std::set<std::string> progress;
+    const double saved = RunStagesTogether(
+      { "fine", fine }, { "coarse", coarse },
+      [&](const std::string& stage, double)
+      {
+        progress.insert(stage);
+        return true;
+      },
+      [&](const std::string& stage, double seconds)
+      {
+        told.push_back(stage);
+        EXPECT_GT(seconds, 0);
+      });
+    EXPECT_THAT(told, testing::ElementsAre("coarse", "fine"));
+    EXPECT_THAT(progress, testing::ElementsAre("fine"));
+    EXPECT_GE(saved, 0);
+    EXPECT_LT(coarse->GetOutput()->GetNumberOfPoints(), fine->GetOutput()->GetNumberOfPoints());
+    ASSERT_EQ(fine->GetOutput()->GetNumberOfPoints(), alone->GetOutput()->GetNumberOfPoints());
+    for (vtkIdType i = 0; i < alone->GetOutput()->GetNumberOfPoints(); ++i)
+    {
+      double a[3];
+      double b[3];
+      fine->GetOutput()->GetPoint(i, a);
+      alone->GetOutput()->GetPoint(i, b);
+      ASSERT_TRUE(std::equal(a, a + 3, b)) << i;
+    }
+    told.clear();
+    RunStagesTogether({ "fine", fine }, { "coarse", coarse }, {},
+      [&](const std::string& stage, double) { told.push_back(stage); });
+    EXPECT_TRUE(told.empty()) << "both were up to date";
+  }
+  LimitThreads(0);
+}
+
+TEST(StageRunner, OfTwoStagesTogetherTheOneThatFailsIsNamed)
+{
+  vtkNew<vtkVisualHullSource> good;
+  good->SetInputData(ToBlocks(BoxPhotos()));
+  vtkNew<vtkVisualHullSource> bad;
+  bad->SetInputData(vtkSmartPointer<vtkMultiBlockDataSet>::New());
+  ExpectError([&] { RunStagesTogether({ "good", good }, { "bad", bad }); }, "bad: ");
+  EXPECT_GT(good->GetOutput()->GetNumberOfPoints(), 0) << "the other one is not lost";
+  ExpectError([&] { RunStagesTogether({ "bad", bad }, { "good", good }); }, "bad: ");
+}
+
+TEST(StageRunner, AListenerStopsBothOfTwoStages)
+{
+  vtkNew<vtkVisualHullSource> first;
+  first->SetInputData(ToBlocks(BoxPhotos()));
+  vtkNew<vtkVisualHullSource> second;
+  second->SetInputData(ToBlocks(BoxPhotos()));
+  second->SetSampleSpacing(0.25); // takes so much longer that it is still at work
+  EXPECT_THROW(RunStagesTogether({ "first", first }, { "second", second },
+                 [](const std::string&, double) { return false; }),
+    Interrupted);
+  EXPECT_EQ(first->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_EQ(second->GetOutput()->GetNumberOfPoints(), 0);
 }
 
 TEST(StageRunner, AStopFlagEndsLoopsOverPhotographs)

@@ -50,6 +50,19 @@ TEST(VisualHullSource, GivesPointsAndNormalsAndNoCells)
   EXPECT_NEAR(source->GetWorldSpacing(), 2 * 4 / Focal, 0.05 * 2 * 4 / Focal);
 }
 
+TEST(VisualHullSource, GivesTheSurfaceThroughAllSamples)
+{
+  const auto source = SourceOf(ToBlocks(SpherePhotos()));
+  source->Update();
+  vtkPolyData* surface = vtkPolyData::SafeDownCast(source->GetOutputDataObject(1));
+  ASSERT_TRUE(surface);
+  EXPECT_GT(surface->GetNumberOfPoints(), source->GetOutput()->GetNumberOfPoints());
+  // Euler: a closed surface has twice as many triangles as points, less four for a sphere, and some
+  // more or less where it is no manifold.
+  EXPECT_NEAR(
+    static_cast<double>(surface->GetNumberOfPolys()) / surface->GetNumberOfPoints(), 2, 0.02);
+}
+
 TEST(VisualHullSource, AWiderSpacingGivesFewerSamples)
 {
   const auto source = SourceOf(ToBlocks(SpherePhotos()));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "VisualHull.h"
 
-#include "DisjointSets.h"
+#include "LatticeCells.h"
 #include "SearchBox.h"
 #include "SilhouetteField.h"
 #include "ViewSelection.h"
@@ -32,13 +32,6 @@ struct Lattice
   {
     return this->Origin + this->Spacing * index.cast<double>();
   }
-};
-
-struct CellSample
-{
-  Vector3i Cell;
-  Vector3d Point;
-  Vector3d Normal;
 };
 
 double FootprintAt(const std::vector<View>& views, const Vector3d& at)
@@ -207,6 +200,18 @@ private:
     return this->Values[(corner.z() * Corners + corner.y()) * Corners + corner.x()];
   }
 
+  /** The bits of CellSample::Inside. */
+  unsigned InsideCorners(const Vector3i& cell) const
+  {
+    unsigned inside = 0;
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      const Vector3i at = cell + Vector3i(corner & 1, (corner >> 1) & 1, corner >> 2);
+      inside |= static_cast<unsigned>(this->ValueAt(at) >= 0) << corner;
+    }
+    return inside;
+  }
+
   void SampleCell(const Vector3i& first, const Vector3i& cell, std::vector<CellSample>& out)
   {
     Vector3d sum = Vector3d::Zero();
@@ -245,6 +250,7 @@ private:
     }
     CellSample sample;
     sample.Cell = first + cell;
+    sample.Inside = this->InsideCorners(cell);
     sample.Point = sum / crossings;
     const double spacing = this->Grid.Spacing;
     this->BlockField.RestrictTo(this->Grid.Point(sample.Cell) + Vector3d::Constant(0.5 * spacing),
@@ -286,137 +292,37 @@ std::vector<CellSample> SampleBlocks(const SilhouetteField& field, const Lattice
   return samples;
 }
 
-/** A number that orders cells by z, then y, then x; also for those one outside the lattice. */
-std::uint64_t KeyOf(const Vector3i& cell)
-{
-  return (static_cast<std::uint64_t>(cell.z() + 1) << 42) |
-    (static_cast<std::uint64_t>(cell.y() + 1) << 21) | static_cast<std::uint64_t>(cell.x() + 1);
-}
-
-/** Keys and places of the samples, ascending. */
-using SortedCells = std::vector<std::pair<std::uint64_t, int>>;
-
-SortedCells SortCells(const std::vector<CellSample>& samples)
-{
-  SortedCells cells(samples.size());
-  for (std::size_t i = 0; i < samples.size(); ++i)
-  {
-    cells[i] = { KeyOf(samples[i].Cell), static_cast<int>(i) };
-  }
-  std::sort(cells.begin(), cells.end());
-  return cells;
-}
-
-/** Component number per sample; cells that touch (26 neighbours) are connected. */
-class ComponentFinder
-{
-public:
-  ComponentFinder(const std::vector<CellSample>& samples, const SortedCells& cells)
-    : Sets(static_cast<int>(samples.size()))
-  {
-    for (const auto& [key, sampleId] : cells)
-    {
-      this->ConnectForward(samples[sampleId].Cell, sampleId, cells);
-    }
-  }
-
-  int Root(int i) { return this->Sets.Find(i); }
-
-private:
-  void ConnectForward(const Vector3i& cell, int sampleId, const SortedCells& keys)
-  {
-    for (int dz = 0; dz <= 1; ++dz)
-    {
-      for (int dy = dz ? -1 : 0; dy <= 1; ++dy)
-      {
-        // Three neighbours in x have consecutive keys.
-        const int dx = dz || dy ? -1 : 1;
-        const std::uint64_t low = KeyOf(cell + Vector3i(dx, dy, dz));
-        const std::uint64_t high = KeyOf(cell + Vector3i(1, dy, dz));
-        auto it = std::lower_bound(keys.begin(), keys.end(), std::make_pair(low, -1));
-        for (; it != keys.end() && it->first <= high; ++it)
-        {
-          this->Sets.Unite(sampleId, it->second);
-        }
-      }
-    }
-  }
-
-  DisjointSets Sets;
-};
-
 /**
- * Samples of like normals are this far apart at least, in spacings. Where the surface runs along the
- * lattice they are a whole spacing apart anyway.
+ * Leaves the samples that are far enough from each other, of all components or of the largest; and
+ * makes the surface through all of these components' samples.
  */
-constexpr double LeastDistance = 0.7;
-
-/** Normals are alike up to 60 degrees: the two sides of a thin sheet are not. */
-constexpr double LikeCosine = 0.5;
-
-/**
- * Which samples stay when, in the order of their cells, each that is too close to one that stays is
- * left out. Cells on a slope lie closer together than the spacing, and what they add to the crust's
- * cost they do not add to its shape.
- */
-std::vector<char> ThinOut(
-  const std::vector<CellSample>& samples, const SortedCells& cells, double spacing)
+void KeepComponents(std::vector<CellSample>& samples, bool keepAll, VisualHullResult& result)
 {
-  const double least = LeastDistance * spacing;
-  const auto tooClose = [&](const CellSample& a, const CellSample& b)
-  {
-    return (a.Point - b.Point).squaredNorm() < least * least && a.Normal.dot(b.Normal) > LikeCosine;
-  };
-  // The neighbours that come before a cell lie in five rows; each has a place that only advances.
-  const Vector3i rows[5] = { { -1, -1, -1 }, { -1, 0, -1 }, { -1, 1, -1 }, { -1, -1, 0 },
-    { -1, 0, 0 } };
-  std::size_t begins[5] = {};
-  std::vector<char> stays(samples.size(), 1);
-  for (const auto& [key, sampleId] : cells)
-  {
-    const CellSample& sample = samples[sampleId];
-    for (int row = 0; row < 5; ++row)
-    {
-      const std::uint64_t low = KeyOf(sample.Cell + rows[row]);
-      while (cells[begins[row]].first < low)
-      {
-        ++begins[row];
-      }
-      for (std::size_t i = begins[row]; cells[i].first <= low + 2 && cells[i].first < key; ++i)
-      {
-        const int other = cells[i].second;
-        stays[sampleId] &= !(stays[other] && tooClose(samples[other], sample));
-      }
-    }
-  }
-  return stays;
-}
-
-/** Leaves the samples that `stays` marks, of all components or of the largest. */
-void KeepComponents(std::vector<CellSample>& samples, const SortedCells& cells,
-  const std::vector<char>& stays, bool keepAll, VisualHullResult& result)
-{
-  ComponentFinder components(samples, cells);
+  SortedCells cells = SortCells(samples);
+  const std::vector<int> components = FindComponents(samples, cells);
+  const std::vector<char> stays = ThinOut(samples, cells, result.Spacing);
   std::vector<std::size_t> sizes(samples.size());
-  for (std::size_t i = 0; i < samples.size(); ++i)
+  for (const int component : components)
   {
-    ++sizes[components.Root(static_cast<int>(i))];
+    ++sizes[component];
   }
   result.Components = static_cast<int>(
     std::count_if(sizes.begin(), sizes.end(), [](std::size_t size) { return size > 0; }));
   const int largest =
     static_cast<int>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
+  const auto wanted = [&](int sample) { return keepAll || components[sample] == largest; };
   std::vector<CellSample> kept;
   for (std::size_t i = 0; i < samples.size(); ++i)
   {
-    const bool wanted = keepAll || components.Root(static_cast<int>(i)) == largest;
-    if (stays[i] && wanted)
+    if (stays[i] && wanted(static_cast<int>(i)))
     {
       kept.push_back(samples[i]);
     }
-    result.DroppedSamples += stays[i] && !wanted;
+    result.DroppedSamples += stays[i] && !wanted(static_cast<int>(i));
   }
   result.DroppedComponents = keepAll ? 0 : result.Components - 1;
+  std::erase_if(cells, [&](const auto& cell) { return !wanted(cell.second); });
+  result.Surface = ConnectCells(samples, cells);
   samples = std::move(kept);
 }
 
@@ -520,9 +426,7 @@ VisualHullResult ComputeVisualHull(
   {
     ThrowEmpty(views, result.Box);
   }
-  const SortedCells cells = SortCells(samples);
-  KeepComponents(
-    samples, cells, ThinOut(samples, cells, result.Spacing), options.KeepAllComponents, result);
+  KeepComponents(samples, options.KeepAllComponents, result);
   CheckInsideBox(samples, result);
   result.Samples.Points.reserve(samples.size());
   result.Samples.Normals.reserve(samples.size());

@@ -26,6 +26,7 @@ struct VisualHullOptions
 struct VisualHullResult
 {
   OrientedPoints Samples;  ///< on f = 0, with outward unit normals
+  TriangleMesh Surface;    ///< through all samples, of before the thinning (ConnectCells)
   Eigen::AlignedBox3d Box; ///< the box searched
   double Spacing = 0;      ///< world units
   int Components = 0;      ///< found
