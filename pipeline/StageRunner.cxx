@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <utility>
 
 namespace novelview
 {
@@ -120,13 +121,26 @@ double RunStagesTogether(const StageRun& first, const StageRun& second,
   const StageProgress& progress, const StageDone& done)
 {
   std::atomic<bool> stopped = false;
+  std::atomic<bool> secondBegan = false;
+  bool secondTold = false;
+  // The listener hears everything in this thread; of the second one, that it began and ended.
+  const auto tell = [&](const std::string& stage, double fraction)
+  { stopped = stopped || (progress && !progress(stage, fraction)); };
   const StageProgress progressOf[2] = {
     [&](const std::string& stage, double fraction)
     {
-      stopped = stopped || (progress && !progress(stage, fraction));
+      if (secondBegan && !std::exchange(secondTold, true))
+      {
+        tell(second.Stage, 0);
+      }
+      tell(stage, fraction);
       return !stopped;
     },
-    [&](const std::string&, double) { return !stopped; },
+    [&](const std::string&, double)
+    {
+      secondBegan = true;
+      return !stopped;
+    },
   };
   const StageRun* const runs[2] = { &first, &second };
   double seconds[2] = { -1, -1 }; // of those that were not up to date already
@@ -138,6 +152,14 @@ double RunStagesTogether(const StageRun& first, const StageRun& second,
         [&seconds, i](const std::string&, double taken) { seconds[i] = taken; });
     });
   const std::chrono::duration<double> both = std::chrono::steady_clock::now() - start;
+  if (secondBegan)
+  {
+    tell(second.Stage, 1);
+  }
+  if (stopped)
+  {
+    throw Interrupted();
+  }
   for (const int i : { 1, 0 })
   {
     if (done && seconds[i] >= 0)

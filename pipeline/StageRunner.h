@@ -32,9 +32,9 @@ struct StageRun
 
 /**
  * RunStage() for two filters at the same time, if there are threads for that. They must not share a
- * filter before them. The progress told is the first one's; a stop asked for stops both. When both
- * have ended, `done` hears of the second and then of the first. Returns by how many seconds that was
- * shorter than one after the other.
+ * filter before them. `progress` hears all of the first one's, and of the second that it began and
+ * ended; a stop asked for stops both. When both have ended, `done` hears of the second and then of
+ * the first. Returns by how many seconds that was shorter than one after the other.
  */
 double RunStagesTogether(const StageRun& first, const StageRun& second,
   const StageProgress& progress = {}, const StageDone& done = {});

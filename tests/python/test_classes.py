@@ -60,7 +60,7 @@ class Classes(unittest.TestCase):
 
     def test_numbers_of_ports_are_those_of_the_headers(self):
         ports = {
-            "vtkVisualHullSource": (1, 1),
+            "vtkVisualHullSource": (1, 2),
             "vtkPowerCrustMesher": (1, 2),
             "vtkOutlineDeformer": (2, 1),
             "vtkViewDependentTextureMapper": (3, 1),

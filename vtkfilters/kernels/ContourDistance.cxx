@@ -234,27 +234,36 @@ private:
       this->Nearest(x, y) = segmentId;
     }
   }
-  void TryFrom(int x, int y, int fromX, int fromY)
-  {
-    if (fromX >= 0 && fromY >= 0 && fromX < this->Nearest.Width && fromY < this->Nearest.Height)
-    {
-      this->Try(x, y, this->Nearest(fromX, fromY));
-    }
-  }
   /** One row, from the row at y + dy and then along itself both ways. */
   void SpreadRow(int y, int dy)
   {
     const int width = this->Nearest.Width;
-    for (int x = 0; x < width; ++x)
+    if (y + dy >= 0 && y + dy < this->Nearest.Height)
     {
-      this->TryFrom(x, y, x - 1, y + dy);
-      this->TryFrom(x, y, x, y + dy);
-      this->TryFrom(x, y, x + 1, y + dy);
-      this->TryFrom(x, y, x - 1, y);
+      const int* before = &this->Nearest(0, y + dy);
+      for (int x = 0; x < width; ++x)
+      {
+        const int left = before[std::max(x - 1, 0)];
+        const int right = before[std::min(x + 1, width - 1)];
+        this->Try(x, y, left);
+        if (before[x] != left)
+        {
+          this->Try(x, y, before[x]);
+        }
+        if (right != before[x])
+        {
+          this->Try(x, y, right);
+        }
+      }
     }
-    for (int x = width - 1; x >= 0; --x)
+    const int* row = &this->Nearest(0, y);
+    for (int x = 1; x < width; ++x)
     {
-      this->TryFrom(x, y, x + 1, y);
+      this->Try(x, y, row[x - 1]);
+    }
+    for (int x = width - 2; x >= 0; --x)
+    {
+      this->Try(x, y, row[x + 1]);
     }
   }
 
