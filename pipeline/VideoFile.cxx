@@ -3,10 +3,10 @@
 
 #include "Error.h"
 #include "StderrSilence.h"
+#include "video/VideoEncoder.h"
 
+#include <dlfcn.h>
 #include <malloc.h>
-#include <opencv2/imgproc.hpp>
-#include <opencv2/videoio.hpp>
 
 #include <map>
 #include <sched.h>
@@ -88,14 +88,44 @@ private:
   cpu_set_t Before{};
   bool Known = false;
 };
+
+using EncoderFactory = decltype(&NovelViewNewVideoEncoder);
+
+#ifdef NOVELVIEW_VIDEO_LIBRARY
+/** Loads the library of videos, which is looked for where those are that this one is linked to. */
+EncoderFactory LoadEncoderFactory()
+{
+  const char* const name = NOVELVIEW_VIDEO_LIBRARY;
+  void* const library = ::dlopen(name, RTLD_NOW | RTLD_LOCAL);
+  void* const factory = library ? ::dlsym(library, "NovelViewNewVideoEncoder") : nullptr;
+  if (!factory)
+  {
+    const char* const reason = ::dlerror();
+    throw Error(name, "the library that writes videos cannot be loaded",
+      reason ? reason : "no reason told",
+      "it and OpenCV's videoio, or a folder for single pictures");
+  }
+  return reinterpret_cast<EncoderFactory>(factory);
+}
+#else
+EncoderFactory LoadEncoderFactory()
+{
+  return &NovelViewNewVideoEncoder;
+}
+#endif
+
+std::unique_ptr<VideoEncoder> NewEncoder()
+{
+  static const EncoderFactory factory = LoadEncoderFactory(); // once; tried again after an Error
+  return std::unique_ptr<VideoEncoder>(factory());
+}
 }
 
 class VideoFile::Internals
 {
 public:
-  fs::path Path;
   cv::Size Size;
-  cv::VideoWriter Writer;
+  std::unique_ptr<VideoEncoder> Encoder;
   cv::Mat Padded;
   long Frames = 0;
 };
@@ -118,9 +148,10 @@ std::string VideoExtensions()
 VideoFile::VideoFile(const fs::path& path, int width, int height, double fps)
   : Own(std::make_unique<Internals>())
 {
-  this->Own->Path = path;
   this->Own->Size = cv::Size(width, height);
   this->Own->Padded = cv::Mat::zeros(height + height % 2, width + width % 2, CV_8UC3);
+  // Before the rest: libraries may count processors or start threads when they are loaded.
+  this->Own->Encoder = NewEncoder();
   const StderrSilence silence; // of libraries that tell which codecs they have not
   const OneProcessor one;
   const ZeroedMemory zeroed;
@@ -130,17 +161,9 @@ VideoFile::VideoFile(const fs::path& path, int width, int height, double fps)
     codecs == CodecsByExtension().end() ? std::vector<std::string>() : codecs->second)
   {
     tried += (tried.empty() ? "" : ", ") + codec;
-    const int fourcc = cv::VideoWriter::fourcc(codec[0], codec[1], codec[2], codec[3]);
-    try
+    if (this->Own->Encoder->Open(path.string(), codec, fps, this->Own->Padded.size()))
     {
-      if (this->Own->Writer.open(path.string(), fourcc, fps, this->Own->Padded.size()))
-      {
-        return;
-      }
-    }
-    catch (const cv::Exception&)
-    {
-      continue; // the message below says it
+      return;
     }
   }
   throw Error(path.filename().string(), "no such video can be written: OpenCV has no codec for it",
@@ -168,21 +191,14 @@ void VideoFile::Add(const ImageRef<const std::uint8_t>& frame)
     }
   }
   const ZeroedMemory zeroed;
-  this->Own->Writer.write(this->Own->Padded);
+  this->Own->Encoder->Write(this->Own->Padded);
   ++this->Own->Frames;
 }
 
 bool VideoFile::Close()
 {
   const StderrSilence silence;
-  this->Own->Writer.release();
   // OpenCV does not say when it could not write, e.g. on a full disk.
-  cv::VideoCapture written(this->Own->Path.string());
-  long frames = 0;
-  while (written.isOpened() && written.grab())
-  {
-    ++frames;
-  }
-  return frames == this->Own->Frames;
+  return this->Own->Encoder->Close() == this->Own->Frames;
 }
 }

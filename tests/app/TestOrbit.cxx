@@ -111,6 +111,31 @@ TEST_F(Orbit, IsSteadyFromFrameToFrame)
   EXPECT_LT(ratio("area"), 2) << slow;
 }
 
+#ifdef NOVELVIEW_VIDEOIO
+TEST_F(Orbit, OnlyAFilmNeedsTheVideoLibraries)
+{
+  fs::create_directories(Out("broken"));
+  // An empty file instead of OpenCV's videoio: whoever loads that fails.
+  WriteText(Out("broken") / NOVELVIEW_VIDEOIO, "");
+  const auto run = [&](const std::string& out)
+  {
+    return RunShell("LD_LIBRARY_PATH=" + Quoted(Out("broken").string()) +
+      "${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH} " + Quoted(NOVELVIEW_PROGRAM) + " orbit " +
+      Quoted(Bunny->Data().string()) + " --frames 2 --stage hull --quiet --out " +
+      Quoted(Out(out).string()));
+  };
+  const ProcessEnd folder = run("without");
+  EXPECT_EQ(folder.Code, 0) << folder.Err;
+  EXPECT_TRUE(fs::exists(Out("without") / "frame_0001.png"));
+  const ProcessEnd film = run("without.mp4");
+  EXPECT_EQ(film.Code, 1);
+  EXPECT_THAT(film.Err, HasSubstr("the library that writes videos cannot be loaded"));
+  EXPECT_THAT(film.Err, HasSubstr(NOVELVIEW_VIDEOIO));
+  EXPECT_EQ(std::count(film.Err.begin(), film.Err.end(), '\n'), 1) << film.Err;
+  EXPECT_FALSE(fs::exists(Out("without.mp4")));
+}
+#endif
+
 TEST_F(Orbit, BadUsageLeavesNothing)
 {
   const auto expect =

@@ -10,7 +10,7 @@ mkdir -p "$work"
 cpack -G DEB --config "$build/CPackConfig.cmake" -B "$work" >"$work/cpack.log" 2>&1 ||
   { cat "$work/cpack.log" >&2; exit 1; }
 package=$(echo "$work"/novelview_*.deb)
-for needed in libvtk9.1 libopencv-core libosmesa6; do
+for needed in libvtk9.1 libopencv-core libopencv-videoio libosmesa6; do
   dpkg-deb --field "$package" Depends | grep -q "$needed" || fail "does not depend on $needed"
 done
 root=$work/root
@@ -26,6 +26,9 @@ novelview generate --mesh torus --size 120x90 --views 8 --step 45 --test-angles 
   --out "$work/torus"
 novelview run "$work/torus" --view between:0,1 --no-iterations --quiet --out "$work/run"
 [ -s "$work/run/novel.png" ] || fail "no picture"
+# What is loaded only for this is found without being told where.
+env -u LD_LIBRARY_PATH novelview orbit "$work/torus" --frames 2 --stage hull --quiet \
+  --out "$work/film.mp4"
 PYTHONPATH=$root/usr/lib/python3/dist-packages "$python" -c \
   "import novelview; assert novelview.__file__.startswith('$root'), novelview.__file__
 views = novelview.read('$work/torus')
