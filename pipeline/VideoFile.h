@@ -23,7 +23,7 @@ std::string VideoExtensions();
 /**
  * A video that is being written, through OpenCV. Pictures of odd size get a black row or column,
  * since most codecs want even ones. The same pictures give the same file, however many processors
- * there are.
+ * there are; but for an .mkv, which has an identity drawn at random in it.
  */
 class VideoFile
 {
