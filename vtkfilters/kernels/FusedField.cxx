@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "FusedField.h"
 
+#include "CpuClones.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -36,6 +38,92 @@ double ParabolaAt(const std::vector<double>& values, int k)
 }
 }
 
+namespace
+{
+/**
+ * The numbers of a Ray, an array over all views each: homogeneous coordinates of its origin and of
+ * its direction, and where the views see a point of it.
+ */
+struct RayArrays
+{
+  const double *OriginX, *OriginY, *OriginZ;
+  const double *DirectionX, *DirectionY, *DirectionZ;
+  double *X, *Y, *Z;
+  int *Column, *Row;
+};
+
+/** Projects the point at parameter t. Columns and rows are -1 behind a camera or left of its frame. */
+NOVELVIEW_CLONES void ProjectPoint(const RayArrays& ray, double t, int count)
+{
+  constexpr double most = 1 << 24; // beyond every frame
+  for (int i = 0; i < count; ++i)
+  {
+    const double z = ray.OriginZ[i] + t * ray.DirectionZ[i];
+    const double x = (ray.OriginX[i] + t * ray.DirectionX[i]) / z;
+    const double y = (ray.OriginY[i] + t * ray.DirectionY[i]) / z;
+    ray.X[i] = x;
+    ray.Y[i] = y;
+    ray.Z[i] = z;
+    // Rounded to the nearest; nothing below 0 comes before the conversion, which cuts off.
+    const double column = z > 0 && x > -1 ? std::min(x, most) + 1.5 : 0;
+    const double row = z > 0 && y > -1 ? std::min(y, most) + 1.5 : 0;
+    ray.Column[i] = static_cast<int>(column) - 1;
+    ray.Row[i] = static_cast<int>(row) - 1;
+  }
+}
+}
+
+/** A ray through the field, and where the views see one of its points. */
+class FusedField::Ray
+{
+public:
+  Ray(const std::vector<Voter>& voters, const Vector3d& origin, const Vector3d& direction)
+    : Count(static_cast<int>(voters.size()))
+    , Numbers(9 * voters.size())
+    , Pixels(2 * voters.size())
+  {
+    for (int i = 0; i < this->Count; ++i)
+    {
+      const Vector3d o = voters[i].P.leftCols<3>() * origin + voters[i].P.col(3);
+      const Vector3d d = voters[i].P.leftCols<3>() * direction;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        this->Array(axis)[i] = o[axis];
+        this->Array(3 + axis)[i] = d[axis];
+      }
+    }
+  }
+
+  void MoveTo(double t)
+  {
+    ProjectPoint({ this->Array(0), this->Array(1), this->Array(2), this->Array(3), this->Array(4),
+                   this->Array(5), this->Array(6), this->Array(7), this->Array(8),
+                   this->Pixels.data(), this->Pixels.data() + this->Count },
+      t, this->Count);
+  }
+
+  /** Where view i sees the point; false when it is behind the camera or outside the frame. */
+  bool See(int i, const Voter& voter, Sight& sight) const
+  {
+    sight.Column = this->Pixels[i];
+    sight.Row = this->Pixels[this->Count + i];
+    sight.X = this->Numbers[6 * this->Count + i];
+    sight.Y = this->Numbers[7 * this->Count + i];
+    sight.Depth = this->Numbers[8 * this->Count + i];
+    return voter.ContourDistance.Contains(sight.Column, sight.Row);
+  }
+
+private:
+  double* Array(int i)
+  {
+    return this->Numbers.data() + static_cast<std::ptrdiff_t>(i) * this->Count;
+  }
+
+  int Count;
+  std::vector<double> Numbers;
+  std::vector<int> Pixels;
+};
+
 FusedField::FusedField(
   const std::vector<View>& views, const FusionOptions& options, double footprint)
   : Options(options)
@@ -47,7 +135,10 @@ FusedField::FusedField(
     Voter voter;
     voter.P.leftCols<3>() = view.Cam.K * view.Cam.R;
     voter.P.col(3) = view.Cam.K * view.Cam.T;
-    voter.From = &view;
+    voter.ContourDistance = view.ContourDistance;
+    voter.DepthMap = view.DepthMap;
+    voter.Confidence = view.Confidence;
+    voter.Cam = &view.Cam;
     this->Voters.push_back(voter);
     ExtendByMap(view, this->Bounds);
   }
@@ -56,6 +147,17 @@ FusedField::FusedField(
     const Vector3d margin = Vector3d::Constant(this->Tau + 4 * footprint);
     this->Bounds = { this->Bounds.min() - margin, this->Bounds.max() + margin };
   }
+}
+
+FusedField FusedField::Of(const std::vector<int>& views) const
+{
+  FusedField part = *this;
+  part.Voters.clear();
+  for (const int view : views)
+  {
+    part.Voters.push_back(this->Voters[view]);
+  }
+  return part;
 }
 
 void FusedField::ClipToBounds(
@@ -77,25 +179,10 @@ void FusedField::ClipToBounds(
   }
 }
 
-bool FusedField::Voter::See(const Vector3d& x, Sight& sight) const
-{
-  const Vector3d p = this->P.leftCols<3>() * x + this->P.col(3);
-  if (p.z() <= 0)
-  {
-    return false;
-  }
-  sight.X = p.x() / p.z();
-  sight.Y = p.y() / p.z();
-  sight.Depth = p.z();
-  sight.Column = static_cast<int>(std::floor(sight.X + 0.5));
-  sight.Row = static_cast<int>(std::floor(sight.Y + 0.5));
-  return this->From->ContourDistance.Contains(sight.Column, sight.Row);
-}
-
 double FusedField::Voter::Incidence(int x, int y) const
 {
   constexpr int reach = 3;
-  const ImageRef<const float>& map = this->From->DepthMap;
+  const ImageRef<const float>& map = this->DepthMap;
   const double depth = map(x, y);
   // The less steep side: the other may lie across an edge.
   const auto slope = [&](int dx, int dy)
@@ -110,7 +197,7 @@ double FusedField::Voter::Incidence(int x, int y) const
         least = std::min(least, std::abs(map(i, j) - depth) / reach);
       }
     }
-    return std::isfinite(least) ? least / this->From->Cam.PixelFootprint(depth) : 0.0;
+    return std::isfinite(least) ? least / this->Cam->PixelFootprint(depth) : 0.0;
   };
   const double across = slope(1, 0);
   const double down = slope(0, 1);
@@ -120,11 +207,11 @@ double FusedField::Voter::Incidence(int x, int y) const
 void FusedField::Voter::AddVote(
   const Sight& sight, double tau, double grazing, double& f, double& w) const
 {
-  const double depth = this->From->DepthMap(sight.Column, sight.Row);
+  const double depth = this->DepthMap(sight.Column, sight.Row);
   const double s = depth - sight.Depth;
   if (depth > 0 && s >= -tau)
   {
-    double confidence = this->From->Confidence(sight.Column, sight.Row);
+    double confidence = this->Confidence(sight.Column, sight.Row);
     if (grazing > 0)
     {
       const double unsure = 1 - confidence;
@@ -138,16 +225,24 @@ void FusedField::Voter::AddVote(
 
 bool FusedField::Vote(const Vector3d& x, double& f, double& w) const
 {
+  Ray ray(this->Voters, x, Vector3d::Zero());
+  ray.MoveTo(0);
+  return this->Vote(ray, f, w);
+}
+
+bool FusedField::Vote(const Ray& ray, double& f, double& w) const
+{
   f = 0;
   w = 0;
   Sight sight;
-  for (const Voter& voter : this->Voters)
+  for (int i = 0; i < static_cast<int>(this->Voters.size()); ++i)
   {
-    if (!voter.See(x, sight))
+    const Voter& voter = this->Voters[i];
+    if (!ray.See(i, voter, sight))
     {
       continue;
     }
-    const ImageRef<const float>& contour = voter.From->ContourDistance;
+    const ImageRef<const float>& contour = voter.ContourDistance;
     if (contour(sight.Column, sight.Row) < 0 && SampleBilinear(contour, sight.X, sight.Y) < 0)
     {
       return false;
@@ -157,12 +252,12 @@ bool FusedField::Vote(const Vector3d& x, double& f, double& w) const
   return true;
 }
 
-double FusedField::Value(const Vector3d& x) const
+double FusedField::Value(const Ray& ray) const
 {
   double f;
   double w;
   const double w0 = this->Options.SurfacePrior;
-  return this->Vote(x, f, w) ? (f - w0) / (w + w0) : 1.0;
+  return this->Vote(ray, f, w) ? (f - w0) / (w + w0) : 1.0;
 }
 
 FusedField::RayResult FusedField::Walk(
@@ -171,6 +266,7 @@ FusedField::RayResult FusedField::Walk(
   RayResult result;
   this->ClipToBounds(origin, direction, from, to);
   const double w0 = this->Options.SurfacePrior;
+  Ray ray(this->Voters, origin, direction);
   double inside = 0; // length of the ray inside every silhouette so far
   double previous = from;
   bool previousFree = false;
@@ -178,7 +274,8 @@ FusedField::RayResult FusedField::Walk(
   {
     double f;
     double w;
-    if (!this->Vote(origin + t * direction, f, w))
+    ray.MoveTo(t);
+    if (!this->Vote(ray, f, w))
     {
       previous = t;
       previousFree = true;
@@ -201,7 +298,8 @@ FusedField::RayResult FusedField::Walk(
       for (int halving = 0; halving < 6 && previousFree; ++halving)
       {
         const double middle = 0.5 * (a + b);
-        (this->Value(origin + middle * direction) > 0 ? a : b) = middle;
+        ray.MoveTo(middle);
+        (this->Value(ray) > 0 ? a : b) = middle;
       }
       result.Surface = 0.5 * (a + b);
     }
@@ -215,7 +313,7 @@ FusedField::RayResult FusedField::Walk(
 
 int FusedField::Voter::StepsWithin(double pixels, const Sight& sight, const Vector3d& step) const
 {
-  const ImageRef<const float>& contour = this->From->ContourDistance;
+  const ImageRef<const float>& contour = this->ContourDistance;
   const double reach = std::min(
     { pixels, sight.X, sight.Y, contour.Width - 1 - sight.X, contour.Height - 1 - sight.Y });
   if (reach <= 0)
@@ -231,19 +329,20 @@ int FusedField::Voter::StepsWithin(double pixels, const Sight& sight, const Vect
     growth * most > reach * sight.Depth ? reach * sight.Depth / growth : most);
 }
 
-FusedField::Sample FusedField::Look(const Vector3d& x, const Vector3d& step) const
+FusedField::Sample FusedField::Look(const Ray& ray, const Vector3d& step) const
 {
   const double tau = this->Options.TruncationPx;
   constexpr double nearest = 0.75; // pixels from a point to the nearest pixel's centre, at most
   Sample sample{ -tau, 0, 0, 0 };
   Sight sight;
-  for (const Voter& voter : this->Voters)
+  for (int i = 0; i < static_cast<int>(this->Voters.size()); ++i)
   {
-    if (!voter.See(x, sight))
+    const Voter& voter = this->Voters[i];
+    if (!ray.See(i, voter, sight))
     {
       continue;
     }
-    const ImageRef<const float>& contour = voter.From->ContourDistance;
+    const ImageRef<const float>& contour = voter.ContourDistance;
     const double outside = -contour(sight.Column, sight.Row);
     if (outside >= tau + nearest)
     {
@@ -273,10 +372,12 @@ FusedField::Passage FusedField::Pass(
   const std::size_t count = 1 + static_cast<std::size_t>((to - from) / step);
   std::vector<double> outside(count, tau);
   std::vector<double> field(count, tau);
+  Ray ray(this->Voters, origin, direction);
   double inside = 0;
   for (std::size_t k = 0; k < count; ++k)
   {
-    const Sample sample = this->Look(origin + (from + k * step) * direction, step * direction);
+    ray.MoveTo(from + k * step);
+    const Sample sample = this->Look(ray, step * direction);
     if (sample.Outside >= tau)
     {
       k += sample.FreeSteps;
@@ -313,13 +414,15 @@ double FusedField::PriorNeeded(const Vector3d& origin, const Vector3d& direction
   double to, double step, double enough) const
 {
   this->ClipToBounds(origin, direction, from, to);
+  Ray ray(this->Voters, origin, direction);
   double least = std::numeric_limits<double>::infinity();
   double inside = 0;
   for (double t = from; t <= to && least > enough; t += step)
   {
     double f;
     double w;
-    if (this->Vote(origin + t * direction, f, w))
+    ray.MoveTo(t);
+    if (this->Vote(ray, f, w))
     {
       inside += step;
       least = std::min(least, f / this->ChordFactor(inside));

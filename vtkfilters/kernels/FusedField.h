@@ -43,6 +43,9 @@ class FusedField
 public:
   FusedField(const std::vector<View>& views, const FusionOptions& options, double footprint);
 
+  /** The same without the votes of other views than these; the box stays that of all. */
+  FusedField Of(const std::vector<int>& views) const;
+
   /** Sums F and W at a point; false when it is outside a silhouette, that is, free. */
   bool Vote(const Eigen::Vector3d& x, double& f, double& w) const;
 
@@ -95,13 +98,15 @@ private:
     double Depth;    ///< of the point
     int Column, Row; ///< the nearest pixel
   };
+  /** What a view knows. */
   struct Voter
   {
     Eigen::Matrix<double, 3, 4> P;
-    const View* From;
+    ImageRef<const float> ContourDistance;
+    ImageRef<const float> DepthMap;
+    ImageRef<const float> Confidence;
+    const Camera* Cam;
 
-    /** False when the point is behind the camera or outside the frame. */
-    bool See(const Eigen::Vector3d& x, Sight& sight) const;
     /** Adds what the view's map says about the point. */
     void AddVote(const Sight& sight, double tau, double grazing, double& f, double& w) const;
     /** How many steps from a point its picture stays within `pixels` of here, and in the frame. */
@@ -109,7 +114,9 @@ private:
     /** Cosine of the angle at which the view sees the surface of its map at a pixel. */
     double Incidence(int x, int y) const;
   };
-  double Value(const Eigen::Vector3d& x) const;
+  class Ray;
+  bool Vote(const Ray& ray, double& f, double& w) const;
+  double Value(const Ray& ray) const;
   /** What silhouettes and maps say about a point of a ray. */
   struct Sample
   {
@@ -117,7 +124,7 @@ private:
     double F, W;    ///< the maps' votes; not complete when Outside is tau
     int FreeSteps;  ///< so many further steps of the ray are tau or more outside, too
   };
-  Sample Look(const Eigen::Vector3d& x, const Eigen::Vector3d& step) const;
+  Sample Look(const Ray& ray, const Eigen::Vector3d& step) const;
   /** Shortens [from, to] of a ray to what lies in the box around the maps' surfaces. */
   void ClipToBounds(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, double& from,
     double& to) const;

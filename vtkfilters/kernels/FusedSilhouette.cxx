@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
 namespace novelview
 {
@@ -56,16 +58,26 @@ public:
   {
   }
 
+  /**
+   * First the pixels like the black fields of a chessboard, and of the white ones those whose
+   * neighbours do not agree: what is one pixel wide and high is nobody's part.
+   */
   void TraceCentres()
   {
-    ForEachPixel(this->Distance, this->Run,
-      [&](int x, int y)
-      {
-        const double front = this->Front(x, y);
-        this->Inside(x, y) = std::isfinite(front) &&
-          this->Walker.Walk(Vector2d(x, y), front - Margin * this->Footprint).Least < 0;
-        this->Distance(x, y) = static_cast<float>(this->Inside(x, y) ? -Band : Band);
-      });
+    for (const bool white : { false, true })
+    {
+      ForEachPixel(this->Distance, this->Run,
+        [&](int x, int y)
+        {
+          if ((x + y) % 2 == white)
+          {
+            const std::optional<bool> known =
+              white ? this->AgreementAround(x, y) : std::optional<bool>();
+            this->Inside(x, y) = known ? *known : this->Meets(x, y);
+            this->Distance(x, y) = static_cast<float>(this->Inside(x, y) ? -Band : Band);
+          }
+        });
+    }
   }
 
   void TraceBand()
@@ -103,6 +115,30 @@ public:
   Image<float> Take() { return std::move(this->Distance); }
 
 private:
+  /** Whether the ray of a pixel's centre meets the object. */
+  bool Meets(int x, int y) const
+  {
+    const double front = this->Front(x, y);
+    return std::isfinite(front) &&
+      this->Walker.Walk(Vector2d(x, y), front - Margin * this->Footprint).Least < 0;
+  }
+
+  /** Whether all four neighbours are inside, or all outside; nothing when some are. */
+  std::optional<bool> AgreementAround(int x, int y) const
+  {
+    int count = 0;
+    int inside = 0;
+    for (const auto& [dx, dy] : { std::pair(-1, 0), { 1, 0 }, { 0, -1 }, { 0, 1 } })
+    {
+      if (this->Inside.Ref().Contains(x + dx, y + dy))
+      {
+        ++count;
+        inside += this->Inside(x + dx, y + dy);
+      }
+    }
+    return inside == 0 || inside == count ? std::optional<bool>(inside > 0) : std::nullopt;
+  }
+
   double NearestFront(int x, int y) const
   {
     float front = std::numeric_limits<float>::infinity();

@@ -247,9 +247,15 @@ private:
       views[i].Confidence = this->Confidences[i].Ref();
     }
     const FusedField field(views, this->Options.Fusion, this->Footprint);
+    std::vector<std::vector<int>> around = NearestNeighbours(views, this->Options.FusedViews - 1);
     std::vector<Image<float>> bases(images.size());
     this->InBatches(0.25, 0.4,
-      [&](std::int64_t i) { bases[i] = this->SeenFrom(images[i], intervals[i], field); });
+      [&](std::int64_t i)
+      {
+        around[i].push_back(static_cast<int>(i));
+        std::sort(around[i].begin(), around[i].end());
+        bases[i] = this->SeenFrom(images[i], intervals[i], field.Of(around[i]));
+      });
     return bases;
   }
 

@@ -19,6 +19,7 @@ struct ReferenceDepthOptions
   double CoarseFirstPx = -1.5; ///< first pass: offsets behind the hull's front, pixel footprints
   double CoarseLastPx = 150;
   double CoarseStepPx = 4;
+  int FusedViews = 16;     ///< maps fused as one photograph sees them, the nearest in angle
   double FineRangePx = 24; ///< second pass: offsets about the fused surface, each way
   double FineStepPx = 2;
   double AgreementPx = 4; ///< depths of two photographs agree within this
@@ -40,7 +41,7 @@ struct ReferenceDepth
  * the paper's triangulated points [7, 8] done for every pixel of every key.
  *
  *  1. At half resolution, matching behind the hull's front surface with semi-global smoothing.
- *  2. The maps fused (FusedField) and seen again from each photograph.
+ *  2. The maps of photographs around each one fused (FusedField) and seen again from it.
  *  3. At full resolution, matching about that surface.
  *  4. Confidence = photo score x cosine of incidence x agreement with the neighbouring maps.
  *

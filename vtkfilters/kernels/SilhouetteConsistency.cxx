@@ -145,12 +145,14 @@ std::vector<Survey> SurveyAll(const std::vector<View>& views, const std::vector<
   const Eigen::AlignedBox3d& box, const ConsistencyOptions& options, const Execution& execution)
 {
   const RayFollower follower(views, offsets, box);
+  const int rays =
+    std::clamp(options.RaysOfAll / static_cast<int>(views.size()), 1, options.RaysPerView);
   std::vector<Survey> surveys(views.size());
   execution.ForEach(static_cast<std::int64_t>(views.size()),
     [&](std::int64_t j)
     {
       const View& view = views[j];
-      for (const Vector2d& pixel : EdgePixels(view, options.RaysPerView))
+      for (const Vector2d& pixel : EdgePixels(view, rays))
       {
         if (const auto blame = follower.Follow(static_cast<int>(j), pixel))
         {
