@@ -48,19 +48,24 @@ void RequireMaps(const std::vector<View>& views)
 class FieldOutlineDeformer
 {
 public:
-  FieldOutlineDeformer(const TriangleMesh& mesh, const std::vector<std::uint8_t>& visible,
-    const Camera& novel, const Image<float>& silhouette)
-    : Start(NovelProjection::FacingPart(mesh, novel))
+  FieldOutlineDeformer(const TriangleMesh& facing, const std::vector<std::uint8_t>& visible,
+    const Camera& novel, const Image<float>& silhouette, const Execution& execution)
+    : Start(facing)
     , Visible(visible)
     , Novel(novel)
     , Silhouette(silhouette)
-    , StartNeighbours(this->Start)
-    , StartProjection(this->Start, novel)
-    , Inside(mesh.Points.size(), 0)
+    , Run(execution)
+    , StartProjection(facing, novel)
+    , Inside(facing.Points.size(), 0)
   {
-    for (std::size_t ptId = 0; ptId < mesh.Points.size(); ++ptId)
+    std::vector<std::uint8_t> used(facing.Points.size(), 0);
+    for (const Eigen::Vector3i& t : facing.Triangles)
     {
-      if (!this->StartNeighbours.Triangles(static_cast<int>(ptId)).empty())
+      used[t[0]] = used[t[1]] = used[t[2]] = 1;
+    }
+    for (std::size_t ptId = 0; ptId < used.size(); ++ptId)
+    {
+      if (used[ptId])
       {
         this->Inside[ptId] = this->At(this->StartProjection.Pixels[ptId]);
         this->Deepest = std::min(this->Deepest, this->Inside[ptId]);
@@ -86,20 +91,20 @@ public:
         result.Mesh.Triangles.push_back(t);
       }
     }
-    const MeshNeighbours neighbours(result.Mesh);
+    const TrianglesOfPoints around(result.Mesh);
     NovelProjection projection = this->StartProjection;
     state.PointsMoved = 0;
     state.LargestMovePx = 0;
     for (int ptId = 0; ptId < static_cast<int>(count); ++ptId)
     {
-      if (this->Inside[ptId] < level && !neighbours.Triangles(ptId).empty())
+      if (this->Inside[ptId] < level && !around.Triangles(ptId).empty())
       {
-        const double moved = this->MovePoint(ptId, level, result.Mesh, neighbours, projection);
+        const double moved = this->MovePoint(ptId, level, result.Mesh, around, projection);
         state.PointsMoved += moved > 0;
         state.LargestMovePx = std::max(state.LargestMovePx, moved);
       }
     }
-    this->MarkOutline(neighbours, projection, result);
+    this->MarkOutline(around, projection, result);
   }
 
 private:
@@ -117,7 +122,7 @@ private:
   }
 
   /** Moves a point in the image plane towards the contour; returns by how many pixels. */
-  double MovePoint(int ptId, double level, TriangleMesh& mesh, const MeshNeighbours& neighbours,
+  double MovePoint(int ptId, double level, TriangleMesh& mesh, const TrianglesOfPoints& around,
     NovelProjection& projection) const
   {
     const Vector2d start = projection.Pixels[ptId];
@@ -129,7 +134,7 @@ private:
     for (double part = 1; part > 0.05; part *= 0.6)
     {
       const Vector2d pixel = start + part * (target - start);
-      if (projection.KeepsOrientation(mesh, neighbours, ptId, pixel))
+      if (projection.KeepsOrientation(mesh, around, ptId, pixel))
       {
         const double depth = this->Novel.Depth(mesh.Points[ptId]);
         mesh.Points[ptId] = this->Novel.Unproject(pixel, depth);
@@ -141,14 +146,14 @@ private:
   }
 
   /** Outline points: on an open edge, near the contour of the mesh's silhouette. */
-  void MarkOutline(const MeshNeighbours& neighbours, const NovelProjection& projection,
+  void MarkOutline(const TrianglesOfPoints& around, const NovelProjection& projection,
     DeformationResult& result) const
   {
-    const ItemBuffer silhouette = Rasterise(result.Mesh, this->Novel);
+    const ItemBuffer silhouette = Rasterise(result.Mesh, this->Novel, this->Run);
     const auto isOutline = [&](int ptId)
     {
-      return (this->Visible.empty() || this->Visible[ptId]) &&
-        !neighbours.Triangles(ptId).empty() && OnContour(silhouette, projection.Pixels[ptId]);
+      return (this->Visible.empty() || this->Visible[ptId]) && !around.Triangles(ptId).empty() &&
+        OnContour(silhouette, projection.Pixels[ptId]);
     };
     for (int ptId = 0; ptId < static_cast<int>(result.Active.size()); ++ptId)
     {
@@ -162,11 +167,11 @@ private:
     }
   }
 
-  TriangleMesh Start;
+  const TriangleMesh& Start;
   const std::vector<std::uint8_t>& Visible;
   const Camera& Novel;
   const Image<float>& Silhouette;
-  MeshNeighbours StartNeighbours;
+  const Execution& Run;
   NovelProjection StartProjection;
   std::vector<double> Inside; ///< signed distance of each point's projection to the contour
   double Deepest = 0;
@@ -393,7 +398,7 @@ DeformationResult DeformOutlineByField(const TriangleMesh& mesh,
   const TriangleMesh facing = NovelProjection::FacingPart(mesh, novel);
   const Image<float> silhouette =
     FusedSilhouette(facing, views, field, novel, footprint, options.Silhouette, execution);
-  FieldOutlineDeformer deformer(mesh, visible, novel, silhouette);
+  FieldOutlineDeformer deformer(facing, visible, novel, silhouette, execution);
   DeformationResult result;
   result.Converged = true;
   result.Iterations = Iterate(options, result, listener, execution,

@@ -7,31 +7,36 @@
 
 namespace novelview
 {
-MeshNeighbours::MeshNeighbours(const TriangleMesh& mesh)
-  : TriangleBegin(mesh.Points.size() + 1, 0)
-  , PointBegin(mesh.Points.size() + 1, 0)
+TrianglesOfPoints::TrianglesOfPoints(const TriangleMesh& mesh)
+  : Begin(mesh.Points.size() + 1, 0)
 {
   for (const Eigen::Vector3i& t : mesh.Triangles)
   {
     for (int corner = 0; corner < 3; ++corner)
     {
-      ++this->TriangleBegin[t[corner] + 1];
+      ++this->Begin[t[corner] + 1];
     }
   }
-  for (std::size_t i = 1; i < this->TriangleBegin.size(); ++i)
+  for (std::size_t i = 1; i < this->Begin.size(); ++i)
   {
-    this->TriangleBegin[i] += this->TriangleBegin[i - 1];
+    this->Begin[i] += this->Begin[i - 1];
   }
-  this->TriangleIds.resize(this->TriangleBegin.back());
-  std::vector<std::size_t> next(this->TriangleBegin.begin(), this->TriangleBegin.end() - 1);
+  this->Ids.resize(this->Begin.back());
+  std::vector<std::size_t> next(this->Begin.begin(), this->Begin.end() - 1);
   for (std::size_t cellId = 0; cellId < mesh.Triangles.size(); ++cellId)
   {
     for (int corner = 0; corner < 3; ++corner)
     {
-      this->TriangleIds[next[mesh.Triangles[cellId][corner]]++] = static_cast<int>(cellId);
+      this->Ids[next[mesh.Triangles[cellId][corner]]++] = static_cast<int>(cellId);
     }
   }
-  this->PointIds.reserve(mesh.Points.size() + this->TriangleIds.size()); // as many in closed meshes
+}
+
+MeshNeighbours::MeshNeighbours(const TriangleMesh& mesh)
+  : TrianglesOfPoints(mesh)
+  , Begin(mesh.Points.size() + 1, 0)
+{
+  this->Ids.reserve(mesh.Points.size() + 3 * mesh.Triangles.size()); // enough for closed meshes
   std::vector<int> lastAt(mesh.Points.size(), -1); // the point that a point was last found around
   for (std::size_t ptId = 0; ptId < mesh.Points.size(); ++ptId)
   {
@@ -44,13 +49,12 @@ MeshNeighbours::MeshNeighbours(const TriangleMesh& mesh)
         if (lastAt[other] != self)
         {
           lastAt[other] = self;
-          this->PointIds.push_back(other);
+          this->Ids.push_back(other);
         }
       }
     }
-    std::sort(this->PointIds.begin() + static_cast<std::ptrdiff_t>(this->PointBegin[ptId]),
-      this->PointIds.end());
-    this->PointBegin[ptId + 1] = this->PointIds.size();
+    std::sort(this->Ids.begin() + static_cast<std::ptrdiff_t>(this->Begin[ptId]), this->Ids.end());
+    this->Begin[ptId + 1] = this->Ids.size();
   }
 }
 

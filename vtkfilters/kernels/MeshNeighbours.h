@@ -9,31 +9,40 @@
 
 namespace novelview
 {
-/** For every vertex the triangles it belongs to and the vertices it shares an edge with. */
-class MeshNeighbours
+/** For every vertex the triangles it belongs to. */
+class TrianglesOfPoints
 {
 public:
-  explicit MeshNeighbours(const TriangleMesh& mesh);
+  explicit TrianglesOfPoints(const TriangleMesh& mesh);
 
   /** Ids of the triangles around a vertex, ascending. */
   std::span<const int> Triangles(int pointId) const
   {
-    return Part(this->TriangleIds, this->TriangleBegin, pointId);
-  }
-  /** Ids of the adjacent vertices, ascending, each once. */
-  std::span<const int> Points(int pointId) const
-  {
-    return Part(this->PointIds, this->PointBegin, pointId);
+    const std::size_t begin = this->Begin[pointId];
+    return { this->Ids.data() + begin, this->Begin[pointId + 1] - begin };
   }
 
 private:
-  static std::span<const int> Part(
-    const std::vector<int>& ids, const std::vector<std::size_t>& begin, int i)
+  std::vector<std::size_t> Begin;
+  std::vector<int> Ids;
+};
+
+/** And also the vertices it shares an edge with, which takes twice as long. */
+class MeshNeighbours : public TrianglesOfPoints
+{
+public:
+  explicit MeshNeighbours(const TriangleMesh& mesh);
+
+  /** Ids of the adjacent vertices, ascending, each once. */
+  std::span<const int> Points(int pointId) const
   {
-    return { ids.data() + begin[i], begin[i + 1] - begin[i] };
+    const std::size_t begin = this->Begin[pointId];
+    return { this->Ids.data() + begin, this->Begin[pointId + 1] - begin };
   }
-  std::vector<std::size_t> TriangleBegin, PointBegin;
-  std::vector<int> TriangleIds, PointIds;
+
+private:
+  std::vector<std::size_t> Begin;
+  std::vector<int> Ids;
 };
 
 /** Area-weighted unit normals, outward for counter-clockwise faces; zero where undefined. */

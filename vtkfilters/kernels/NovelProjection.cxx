@@ -33,10 +33,10 @@ TriangleMesh NovelProjection::FacingPart(const TriangleMesh& mesh, const Camera&
   return part;
 }
 
-bool NovelProjection::KeepsOrientation(const TriangleMesh& mesh, const MeshNeighbours& neighbours,
+bool NovelProjection::KeepsOrientation(const TriangleMesh& mesh, const TrianglesOfPoints& around,
   int pointId, const Eigen::Vector2d& moved) const
 {
-  for (const int cellId : neighbours.Triangles(pointId))
+  for (const int cellId : around.Triangles(pointId))
   {
     const Eigen::Vector3i& t = mesh.Triangles[cellId];
     Eigen::Vector2d p[3];

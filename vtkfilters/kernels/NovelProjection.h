@@ -31,7 +31,7 @@ public:
   static TriangleMesh FacingPart(const TriangleMesh& mesh, const Camera& camera);
 
   /** Would the triangles around a point keep their orientation if it projected to `moved`? */
-  bool KeepsOrientation(const TriangleMesh& mesh, const MeshNeighbours& neighbours, int pointId,
+  bool KeepsOrientation(const TriangleMesh& mesh, const TrianglesOfPoints& around, int pointId,
     const Eigen::Vector2d& moved) const;
 
   std::vector<Eigen::Vector2d> Pixels;

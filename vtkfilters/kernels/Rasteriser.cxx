@@ -4,6 +4,7 @@
 #include "CpuClones.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -206,23 +207,19 @@ public:
     , Width(camera.Width)
     , Height(camera.Height)
     , Points(ProjectPoints(mesh, camera, execution))
-    , CellsOfBand((camera.Height + BandRows - 1) / BandRows)
   {
-    for (std::size_t cellId = 0; cellId < mesh.Triangles.size(); ++cellId)
-    {
-      const ProjectedTriangle triangle = this->Projected(cellId);
-      if (!triangle.Drawn())
+    execution.ForEach(Parts,
+      [&](std::int64_t part)
       {
-        continue;
-      }
-      if (const PixelBox box = triangle.Box(margin, this->Width, this->Height); !box.Empty())
-      {
-        for (int band = box.YBegin / BandRows; band <= (box.YEnd - 1) / BandRows; ++band)
+        std::vector<std::vector<int>>& cellsOfBand = this->CellsOfBand[part];
+        cellsOfBand.resize(this->NumberOfBands());
+        const std::size_t count = mesh.Triangles.size();
+        for (std::size_t cellId = part * count / Parts; cellId < (part + 1) * count / Parts;
+             ++cellId)
         {
-          this->CellsOfBand[band].push_back(static_cast<int>(cellId));
+          this->Sort(static_cast<int>(cellId), cellsOfBand);
         }
-      }
-    }
+      });
   }
 
   /**
@@ -232,22 +229,46 @@ public:
   template <class Draw>
   void ForEach(const Draw& draw) const
   {
-    this->Run.ForEach(static_cast<std::int64_t>(this->CellsOfBand.size()),
+    this->Run.ForEach(this->NumberOfBands(),
       [&](std::int64_t band)
       {
         const int rowBegin = static_cast<int>(band) * BandRows;
-        for (const int cellId : this->CellsOfBand[band])
+        for (const std::vector<std::vector<int>>& cellsOfBand : this->CellsOfBand)
         {
-          const ProjectedTriangle triangle = this->Projected(cellId);
-          PixelBox box = triangle.Box(this->Margin, this->Width, this->Height);
-          box.YBegin = std::max(box.YBegin, rowBegin);
-          box.YEnd = std::min(box.YEnd, rowBegin + BandRows);
-          draw(cellId, triangle, box);
+          for (const int cellId : cellsOfBand[band])
+          {
+            const ProjectedTriangle triangle = this->Projected(cellId);
+            PixelBox box = triangle.Box(this->Margin, this->Width, this->Height);
+            box.YBegin = std::max(box.YBegin, rowBegin);
+            box.YEnd = std::min(box.YEnd, rowBegin + BandRows);
+            draw(cellId, triangle, box);
+          }
         }
       });
   }
 
 private:
+  /** The triangles are sorted in so many parts in parallel; each keeps the order of their ids. */
+  static constexpr int Parts = 16;
+
+  int NumberOfBands() const { return (this->Height + BandRows - 1) / BandRows; }
+
+  void Sort(int cellId, std::vector<std::vector<int>>& cellsOfBand) const
+  {
+    const ProjectedTriangle triangle = this->Projected(cellId);
+    if (!triangle.Drawn())
+    {
+      return;
+    }
+    if (const PixelBox box = triangle.Box(this->Margin, this->Width, this->Height); !box.Empty())
+    {
+      for (int band = box.YBegin / BandRows; band <= (box.YEnd - 1) / BandRows; ++band)
+      {
+        cellsOfBand[band].push_back(cellId);
+      }
+    }
+  }
+
   ProjectedTriangle Projected(std::size_t cellId) const
   {
     const Eigen::Vector3i& t = this->Mesh.Triangles[cellId];
@@ -260,7 +281,7 @@ private:
   const int Width;
   const int Height;
   std::vector<ProjectedPoint> Points;
-  std::vector<std::vector<int>> CellsOfBand;
+  std::array<std::vector<std::vector<int>>, Parts> CellsOfBand;
 };
 
 NOVELVIEW_CLONES void DrawTriangles(const std::vector<Eigen::Vector3i>& triangles,

@@ -196,6 +196,15 @@ std::vector<std::uint8_t> VisibleVertices(
 
 bool IsInside(const TriangleMesh& mesh, const Vector3d& point)
 {
+  Eigen::AlignedBox3d box;
+  for (const Vector3d& each : mesh.Points)
+  {
+    box.extend(each);
+  }
+  if (!box.contains(point))
+  {
+    return false;
+  }
   // Solid angle of each triangle by Van Oosterom and Strackee (1983).
   double halfAngles = 0;
   for (const Eigen::Vector3i& t : mesh.Triangles)
