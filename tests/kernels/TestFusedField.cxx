@@ -75,6 +75,18 @@ TEST(FusedField, ConfidencesAddUpOverTheViews)
   EXPECT_NEAR(w, 0.75, 1e-6);
 }
 
+TEST(FusedField, OfSomeViewsOnlyTheyVote)
+{
+  const FlatMap a(2.f, 0.5f);
+  const FlatMap b(2.02f, 0.25f, 0.1);
+  const std::vector<View> views{ a.AsView(), b.AsView() };
+  double f = 0;
+  double w = 0;
+  EXPECT_TRUE(FusedField(views, {}, Footprint).Of({ 1 }).Vote(Vector3d(0, 0, 2), f, w));
+  EXPECT_NEAR(f, 0.25 * 0.4, 1e-6); // b alone: 0.02 in front of it
+  EXPECT_NEAR(w, 0.25, 1e-6);
+}
+
 TEST(FusedField, WithoutTextureDepthsCountLessAtGrazingIncidence)
 {
   // Three footprints deeper per pixel to the right: cos = 1 / sqrt(1 + 3^2).

@@ -47,6 +47,21 @@ TEST(SilhouetteConsistency, TheOneThatIsTooSmallIsFoundWithItsOffset)
   }
 }
 
+TEST(SilhouetteConsistency, ManyPhotographsFindItWithFewerRaysOfEach)
+{
+  std::vector<Photo> photos = BoxPhotos();
+  ShrinkSilhouette(photos[3], 2);
+  ConsistencyOptions options;
+  options.RaysOfAll = 37 * static_cast<int>(photos.size()); // as many as of each of 192
+  const auto offsets = FindContourOffsets(ViewsOf(photos), options);
+  EXPECT_NE(offsets, FindContourOffsets(ViewsOf(photos))) << "other rays, other numbers";
+  for (std::size_t i = 0; i < offsets.size(); ++i)
+  {
+    EXPECT_NEAR(offsets[i], i == 3 ? 2 : 0, 0.7) << i; // as in the test above
+    EXPECT_TRUE(i == 3 || offsets[i] == 0) << i;
+  }
+}
+
 TEST(SilhouetteConsistency, TheOneThatIsTooLargeHarmsNobody)
 {
   std::vector<Photo> photos = BoxPhotos();

@@ -379,6 +379,17 @@ SubRays RasteriseSubRays(const TriangleMesh& mesh, const Camera& camera,
   bands.ForEach(
     [&](int cellId, const ProjectedTriangle& triangle, const PixelBox& box)
     {
+      bool any = false; // of its pixels is chosen; most triangles have none
+      for (int y = box.YBegin; y < box.YEnd && !any; ++y)
+      {
+        const std::uint8_t* row = &chosen(0, y);
+        any = std::any_of(
+          row + box.XBegin, row + box.XEnd, [](std::uint8_t value) { return value != 0; });
+      }
+      if (!any)
+      {
+        return;
+      }
       const TriangleDepth depths(triangle);
       const auto draw = [&](int x, int y, std::size_t k)
       {
