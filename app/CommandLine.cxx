@@ -32,7 +32,9 @@ struct CommonFlags
       ->excludes("--quiet");
     command
       .add_option("--timings", this->Timings,
-        "JSON file that gets the seconds of every stage, the threads and the peak memory")
+        "JSON file that gets the seconds of every stage, by how much stages overlapped, the "
+        "threads "
+        "and the peak memory")
       ->group("Program")
       ->type_name("PATH");
   }

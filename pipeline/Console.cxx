@@ -144,6 +144,10 @@ void Console::Summary()
   {
     this->Info(fmt::format("  {:<24} {:8.2f} s", stage, seconds));
   }
+  if (this->Overlap > 0)
+  {
+    this->Info(fmt::format("  {:<24} {:8.2f} s", "at the same time", -this->Overlap));
+  }
   this->Info(fmt::format("  {:<24} {:8.2f} s", "whole run", this->SecondsSoFar()));
   this->Info(fmt::format("  {:<24} {:8.0f} MiB", "peak memory", PeakMemoryMiB()));
 }

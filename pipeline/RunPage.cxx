@@ -310,6 +310,10 @@ void AddTimings(ReportPage& page, const Json& timings)
     table.Rows.push_back({ ReportCell(stage), ReportCell(seconds.get<double>(), "%.2f") });
   }
   page.AddTable(table);
+  if (const double overlap = timings["overlap"].get<double>(); overlap > 0)
+  {
+    page.AddText(Formatted("Some ran at the same time, for %.2f s.", overlap));
+  }
 }
 
 void AddAbout(ReportPage& page, const Json& job, const std::string& renderer)

@@ -34,7 +34,13 @@ SynthesisListener SharedWork::Listener()
       this->Con.StageDone(stage, seconds);
     }
   };
-  listener.StagesOverlapped = [this](double seconds) { this->Con.StagesOverlapped(seconds); };
+  listener.StagesOverlapped = [this](double seconds)
+  {
+    if (!this->Noting) // stages of several processes overlap anyway
+    {
+      this->Con.StagesOverlapped(seconds);
+    }
+  };
   listener.Warn = [this](const std::string& text)
   {
     if (this->Noting)

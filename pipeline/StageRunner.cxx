@@ -2,7 +2,6 @@
 #include "StageRunner.h"
 
 #include "Error.h"
-#include "Parallel.h"
 #include "Threads.h"
 
 #include <vtkAlgorithm.h>
@@ -13,6 +12,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <future>
 #include <utility>
 
 namespace novelview
@@ -117,56 +117,97 @@ void RunStage(const std::string& stage, vtkAlgorithm* filter, const StageProgres
   }
 }
 
+namespace
+{
+/** A stage that runs in a thread of its own. */
+class StageBeside
+{
+public:
+  explicit StageBeside(const StageRun& run)
+    : Work(std::async(std::launch::async, [this, &run] { this->Run(run); }))
+  {
+  }
+  ~StageBeside() { this->Stopped = true; } // and the future waits
+
+  bool Began() const { return this->Begun; }
+  bool Ended() const
+  {
+    return this->Work.wait_for(std::chrono::milliseconds(0)) == std::future_status::ready;
+  }
+  /** Waits a little. */
+  void Pause() const { this->Work.wait_for(std::chrono::milliseconds(50)); }
+  void Stop() { this->Stopped = true; }
+  /** Its seconds, below 0 when it was up to date; or throws what it threw. */
+  double Get()
+  {
+    this->Work.get();
+    return this->Seconds;
+  }
+
+private:
+  void Run(const StageRun& run)
+  {
+    RunStage(
+      run.Stage, run.Filter,
+      [this](const std::string&, double)
+      {
+        this->Begun = true;
+        return !this->Stopped;
+      },
+      [this](const std::string&, double seconds) { this->Seconds = seconds; });
+  }
+
+  std::atomic<bool> Begun = false;
+  std::atomic<bool> Stopped = false;
+  double Seconds = -1;
+  std::future<void> Work; // the last member: it begins at once, and its end is waited for first
+};
+}
+
 double RunStagesTogether(const StageRun& first, const StageRun& second,
   const StageProgress& progress, const StageDone& done)
 {
-  std::atomic<bool> stopped = false;
-  std::atomic<bool> secondBegan = false;
-  bool secondTold = false;
-  // The listener hears everything in this thread; of the second one, that it began and ended.
-  const auto tell = [&](const std::string& stage, double fraction)
-  { stopped = stopped || (progress && !progress(stage, fraction)); };
-  const StageProgress progressOf[2] = {
-    [&](const std::string& stage, double fraction)
-    {
-      if (secondBegan && !std::exchange(secondTold, true))
-      {
-        tell(second.Stage, 0);
-      }
-      tell(stage, fraction);
-      return !stopped;
-    },
-    [&](const std::string&, double)
-    {
-      secondBegan = true;
-      return !stopped;
-    },
-  };
-  const StageRun* const runs[2] = { &first, &second };
-  double seconds[2] = { -1, -1 }; // of those that were not up to date already
+  if (NumberOfThreads() < 2)
+  {
+    RunStage(second.Stage, second.Filter, progress, done);
+    RunStage(first.Stage, first.Filter, progress, done);
+    return 0;
+  }
   const auto start = std::chrono::steady_clock::now();
-  ParallelForEach(2,
-    [&](std::size_t i)
+  StageBeside beside(second);
+  bool told = false;
+  const auto tell = [&](const std::string& stage, double fraction)
+  {
+    bool goOn = true;
+    if (progress && beside.Began() && !std::exchange(told, true))
     {
-      RunStage(runs[i]->Stage, runs[i]->Filter, progressOf[i],
-        [&seconds, i](const std::string&, double taken) { seconds[i] = taken; });
-    });
+      goOn = progress(second.Stage, 0);
+    }
+    return (!progress || progress(stage, fraction)) && goOn;
+  };
+  double seconds = -1; // of the first
+  RunStage(first.Stage, first.Filter, tell,
+    [&seconds](const std::string&, double taken) { seconds = taken; });
+  const bool secondWasEarlier = beside.Ended();
+  while (!beside.Ended())
+  {
+    if (beside.Began() && !tell(second.Stage, 0))
+    {
+      beside.Stop();
+    }
+    beside.Pause();
+  }
+  const double secondsBeside = beside.Get();
   const std::chrono::duration<double> both = std::chrono::steady_clock::now() - start;
-  if (secondBegan)
+  const std::pair<const StageRun*, double> ends[2] = { { &second, secondsBeside },
+    { &first, seconds } };
+  for (const auto& [run, taken] : { ends[!secondWasEarlier], ends[secondWasEarlier] })
   {
-    tell(second.Stage, 1);
-  }
-  if (stopped)
-  {
-    throw Interrupted();
-  }
-  for (const int i : { 1, 0 })
-  {
-    if (done && seconds[i] >= 0)
+    if (done && taken >= 0)
     {
-      done(runs[i]->Stage, seconds[i]);
+      done(run->Stage, taken);
     }
   }
-  return std::max(0.0, std::max(seconds[0], 0.0) + std::max(seconds[1], 0.0) - both.count());
+  return std::max(0.0, std::max(seconds, 0.0) + std::max(secondsBeside, 0.0) - both.count());
 }
 }

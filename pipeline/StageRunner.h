@@ -31,10 +31,14 @@ struct StageRun
 };
 
 /**
- * RunStage() for two filters at the same time, if there are threads for that. They must not share a
- * filter before them. `progress` hears all of the first one's, and of the second that it began and
- * ended; a stop asked for stops both. When both have ended, `done` hears of the second and then of
- * the first. Returns by how many seconds that was shorter than one after the other.
+ * RunStage() for two filters at the same time: the first one in this thread, the second in another;
+ * with one thread (LimitThreads) the second and then the first. They must not share a filter before
+ * them. `progress` is called in this thread, with all of the first one's and with the second's when
+ * it begins and while only that is left; a stop asked for stops both. When both have ended well,
+ * `done` hears of the one that ended earlier and then of the other.
+ *
+ * When the first one fails its error is thrown, and the second is stopped. Returns how many seconds
+ * less they took than the sum of both.
  */
 double RunStagesTogether(const StageRun& first, const StageRun& second,
   const StageProgress& progress = {}, const StageDone& done = {});

@@ -264,11 +264,12 @@ private:
       this->WarnOfOffsets();
     }
     this->Run("visual hull", this->Filters.HullSource);
-    if (!this->HullOfCrust)
+    vtkPolyData* hull = this->Filters.HullSource->GetOutput();
+    if (hull->GetMTime() > this->CopyTime)
     {
       // By hand, since pipelines that run at the same time must have no filter in common.
-      this->HullOfCrust = vtkSmartPointer<vtkPolyData>::New();
-      this->HullOfCrust->ShallowCopy(this->Filters.HullSource->GetOutput());
+      this->CopyTime = hull->GetMTime();
+      this->HullOfCrust->ShallowCopy(hull);
       this->Filters.Mesher->SetInputData(this->HullOfCrust);
     }
     if (const int dropped = this->Filters.HullSource->GetNumberOfDroppedComponents();
@@ -396,8 +397,9 @@ private:
   const SynthesisListener Listener;
   SynthesisStages Filters;
   std::optional<StageCache> Cache;
-  std::optional<ViewIndependent> Kept;      ///< what the cache had
-  vtkSmartPointer<vtkPolyData> HullOfCrust; ///< the Mesher's input
+  std::optional<ViewIndependent> Kept; ///< what the cache had
+  vtkNew<vtkPolyData> HullOfCrust;     ///< the Mesher's input
+  vtkMTimeType CopyTime = 0;           ///< of the hull that it is a copy of
   bool Looked = false;
   bool Stored = false;
   std::vector<std::string> Warnings;

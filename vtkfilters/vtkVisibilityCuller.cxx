@@ -54,7 +54,7 @@ novelview::TriangleMesh Extract(
   return part;
 }
 
-/** In arrays of real numbers the middles of cut edges, which come last, get the mean of the ends. */
+/** In arrays of reals the middles of cut edges, which come last, get the mean of the ends. */
 void SetMeans(vtkPointData* input, const std::vector<int>& keptIds,
   const std::vector<std::array<int, 2>>& cutEdges, vtkPointData* output)
 {

@@ -19,9 +19,9 @@
  *    arrays `Mask` (uint8) and `ContourDistance` (float) and the camera's field arrays.
  *  - out 0: vtkPolyData, points (double) and point array `Normals` (float x 3, outward, unit). No
  *    cells.
- *  - out 1: vtkPolyData, triangles: the surface as the lattice connects all samples (surface nets), of
- *    before the thinning. Rougher than the power crust, but there at once; it encloses what the crust
- *    encloses, and need not be a manifold.
+ *  - out 1: vtkPolyData, triangles: the surface as the lattice connects all samples (surface nets),
+ *    of before the thinning. Rougher than the power crust, but there at once: creases are cut by a
+ *    fraction of the spacing, and it need not be a manifold.
  *
  * Limits: samples agree with the silhouettes to a small fraction of a pixel except where the frame
  * of a view cuts the hull; there they lie on the frame's border. Sharp creases are sampled, not

@@ -3,7 +3,7 @@
 import math
 from dataclasses import dataclass
 
-from runs import DataSet, typical_run, note, view_words
+from runs import DataSet, note, typical_run, view_words
 
 # n log n over a factor of sixteen from some ten thousand: 1.08 to 1.1; and some room for noise.
 LIMIT = 1.15

@@ -274,6 +274,38 @@ TEST(ReferenceDepth, SameBitsWithOneAndMoreThreads)
   }
 }
 
+TEST(ReferenceDepth, OfManyPhotographsOnlyThoseAroundAreFused)
+{
+  const SphereCase& sphere = TheCase();
+  const std::vector<View> six(sphere.Views.begin(), sphere.Views.begin() + 6);
+  const auto depthsWith = [&](int fused)
+  {
+    ReferenceDepthOptions options;
+    options.FusedViews = fused;
+    return EstimateReferenceDepths(six, sphere.Hull, options);
+  };
+  const auto all = depthsWith(6);
+  const auto more = depthsWith(16);
+  const auto some = depthsWith(3);
+  std::vector<double> apart; // footprints, between the maps with three and with all
+  const double footprint = MedianFootprint(sphere.Views, Vector3d::Zero());
+  for (std::size_t i = 0; i < six.size(); ++i)
+  {
+    EXPECT_EQ(all[i].Depth.Values, more[i].Depth.Values) << "there are but six";
+    for (std::size_t n = 0; n < all[i].Depth.Values.size(); ++n)
+    {
+      if (all[i].Depth.Values[n] > 0)
+      {
+        apart.push_back(std::abs(all[i].Depth.Values[n] - some[i].Depth.Values[n]) / footprint);
+      }
+    }
+  }
+  const auto tenth = apart.begin() + static_cast<std::ptrdiff_t>(0.9 * apart.size());
+  std::nth_element(apart.begin(), tenth, apart.end());
+  EXPECT_GT(*std::max_element(apart.begin(), apart.end()), 0) << "the number matters";
+  EXPECT_LT(*tenth, 1) << "and little: the second pass looks for the surface itself";
+}
+
 TEST(ReferenceDepth, ViewsWithoutNeighboursAreNotTrusted)
 {
   const SphereCase& sphere = TheCase();

@@ -107,9 +107,11 @@ TEST(Console, SummaryAddsUpStagesAndTellsMemory)
       console.StageDone("hull", 0.5);
       ASSERT_EQ(console.StageSeconds().size(), 2u);
       EXPECT_EQ(console.StageSeconds()[0].second, 1.5);
+      console.StagesOverlapped(0.25);
       console.Summary();
     });
   EXPECT_THAT(written.Out, testing::HasSubstr("hull                         1.50 s\n"));
+  EXPECT_THAT(written.Out, testing::HasSubstr("at the same time            -0.25 s\n"));
   EXPECT_THAT(written.Out, testing::HasSubstr("peak memory"));
   EXPECT_GT(PeakMemoryMiB(), 1); // no process with VTK in it fits into 1 MiB
 }

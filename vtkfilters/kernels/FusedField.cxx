@@ -36,10 +36,7 @@ double ParabolaAt(const std::vector<double>& values, int k)
   const auto at = [&](int i) { return values[std::clamp(i, 0, last)]; };
   return (17 * at(k) + 12 * (at(k - 1) + at(k + 1)) - 3 * (at(k - 2) + at(k + 2))) / 35;
 }
-}
 
-namespace
-{
 /**
  * The numbers of a Ray, an array over all views each: homogeneous coordinates of its origin and of
  * its direction, and where the views see a point of it.
@@ -52,7 +49,7 @@ struct RayArrays
   int *Column, *Row;
 };
 
-/** Projects the point at parameter t. Columns and rows are -1 behind a camera or left of its frame. */
+/** Projects the point at parameter t. Column and row are -1 before the first or behind a camera. */
 NOVELVIEW_CLONES void ProjectPoint(const RayArrays& ray, double t, int count)
 {
   constexpr double most = 1 << 24; // beyond every frame

@@ -43,7 +43,10 @@ class FusedField
 public:
   FusedField(const std::vector<View>& views, const FusionOptions& options, double footprint);
 
-  /** The same without the votes of other views than these; the box stays that of all. */
+  /**
+   * The field of these views, as if there were no others: these neither vote nor does it count what
+   * lies outside their silhouettes. Only the box stays that of all.
+   */
   FusedField Of(const std::vector<int>& views) const;
 
   /** Sums F and W at a point; false when it is outside a silhouette, that is, free. */

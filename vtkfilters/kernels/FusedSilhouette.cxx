@@ -60,7 +60,8 @@ public:
 
   /**
    * First the pixels like the black fields of a chessboard, and of the white ones those whose
-   * neighbours do not agree: what is one pixel wide and high is nobody's part.
+   * neighbours do not agree. What lies on white fields alone, which touch at their corners only, is
+   * not found; it would be no region of a size that stays either (RemoveSmallRegions).
    */
   void TraceCentres()
   {

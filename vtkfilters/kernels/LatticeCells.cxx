@@ -20,7 +20,7 @@ std::uint64_t KeyOf(const Vector3i& cell)
     (static_cast<std::uint64_t>(cell.y() + 1) << 21) | static_cast<std::uint64_t>(cell.x() + 1);
 }
 
-/** Samples of like normals are this far apart at least, in spacings; along the lattice they are 1. */
+/** Samples of like normals are this far apart at least, in spacings; along the lattice it is 1. */
 constexpr double LeastDistance = 0.7;
 
 /** Normals are alike up to 60 degrees: the two sides of a thin sheet are not. */

@@ -34,10 +34,11 @@ TrianglesOfPoints::TrianglesOfPoints(const TriangleMesh& mesh)
 
 MeshNeighbours::MeshNeighbours(const TriangleMesh& mesh)
   : TrianglesOfPoints(mesh)
-  , Begin(mesh.Points.size() + 1, 0)
+  , PointBegin(mesh.Points.size() + 1, 0)
 {
-  this->Ids.reserve(mesh.Points.size() + 3 * mesh.Triangles.size()); // enough for closed meshes
-  std::vector<int> lastAt(mesh.Points.size(), -1); // the point that a point was last found around
+  this->PointIds.reserve(
+    mesh.Points.size() + 3 * mesh.Triangles.size()); // enough for closed meshes
+  std::vector<int> lastAt(mesh.Points.size(), -1);   // the point that a point was last found around
   for (std::size_t ptId = 0; ptId < mesh.Points.size(); ++ptId)
   {
     const int self = static_cast<int>(ptId);
@@ -49,12 +50,13 @@ MeshNeighbours::MeshNeighbours(const TriangleMesh& mesh)
         if (lastAt[other] != self)
         {
           lastAt[other] = self;
-          this->Ids.push_back(other);
+          this->PointIds.push_back(other);
         }
       }
     }
-    std::sort(this->Ids.begin() + static_cast<std::ptrdiff_t>(this->Begin[ptId]), this->Ids.end());
-    this->Begin[ptId + 1] = this->Ids.size();
+    std::sort(this->PointIds.begin() + static_cast<std::ptrdiff_t>(this->PointBegin[ptId]),
+      this->PointIds.end());
+    this->PointBegin[ptId + 1] = this->PointIds.size();
   }
 }
 

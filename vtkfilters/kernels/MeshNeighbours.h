@@ -36,13 +36,13 @@ public:
   /** Ids of the adjacent vertices, ascending, each once. */
   std::span<const int> Points(int pointId) const
   {
-    const std::size_t begin = this->Begin[pointId];
-    return { this->Ids.data() + begin, this->Begin[pointId + 1] - begin };
+    const std::size_t begin = this->PointBegin[pointId];
+    return { this->PointIds.data() + begin, this->PointBegin[pointId + 1] - begin };
   }
 
 private:
-  std::vector<std::size_t> Begin;
-  std::vector<int> Ids;
+  std::vector<std::size_t> PointBegin;
+  std::vector<int> PointIds;
 };
 
 /** Area-weighted unit normals, outward for counter-clockwise faces; zero where undefined. */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ReferenceDepth.h"
 
+#include "FillInLayers.h"
 #include "Rasteriser.h"
 #include "ViewSelection.h"
 
@@ -109,11 +110,10 @@ void FillKnown(Image<float>& image, const MatchImage& mask)
       open.push_back(i);
     }
   }
-  while (!open.empty())
-  {
-    std::vector<std::size_t> rest;
-    std::vector<std::pair<std::size_t, float>> found;
-    for (const std::size_t i : open)
+  // What is new in a layer stays negative until the layer is done.
+  FillInLayers(
+    std::move(open),
+    [&image](std::size_t i)
     {
       const int x = static_cast<int>(i % image.Width);
       const int y = static_cast<int>(i / image.Width);
@@ -125,25 +125,10 @@ void FillKnown(Image<float>& image, const MatchImage& mask)
           value = image(x + dx, y + dy);
         }
       }
-      if (value > 0)
-      {
-        found.emplace_back(i, value);
-      }
-      else
-      {
-        rest.push_back(i);
-      }
-    }
-    if (found.empty())
-    {
-      return;
-    }
-    for (const auto& [i, value] : found)
-    {
-      image.Values[i] = value;
-    }
-    open = std::move(rest);
-  }
+      image.Values[i] = value > 0 ? -value : image.Values[i];
+      return value > 0;
+    },
+    [&image](std::size_t i) { image.Values[i] = -image.Values[i]; });
 }
 
 class Estimator

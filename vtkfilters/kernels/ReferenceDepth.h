@@ -19,7 +19,7 @@ struct ReferenceDepthOptions
   double CoarseFirstPx = -1.5; ///< first pass: offsets behind the hull's front, pixel footprints
   double CoarseLastPx = 150;
   double CoarseStepPx = 4;
-  int FusedViews = 16;     ///< maps fused as one photograph sees them, the nearest in angle
+  int FusedViews = 16;     ///< maps fused as one photograph sees them: its own and the nearest
   double FineRangePx = 24; ///< second pass: offsets about the fused surface, each way
   double FineStepPx = 2;
   double AgreementPx = 4; ///< depths of two photographs agree within this

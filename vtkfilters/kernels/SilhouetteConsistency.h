@@ -12,7 +12,7 @@ namespace novelview
 struct ConsistencyOptions
 {
   int RaysPerView = 300;    ///< about so many rays of each silhouette's contour are followed, and
-  int RaysOfAll = 7200;     ///< no more than so many of all together, since each meets every view
+  int RaysOfAll = 7200;     ///< not many more than so many in all, since each meets every view
   double LeastPx = 0.5;     ///< smaller offsets are left alone, and so is what disagrees by less
   double LeastShare = 0.05; ///< part of the others' rays that a silhouette has to cut
   double Outstanding = 3;   ///< and so many times the median silhouette's part
