@@ -19,7 +19,13 @@ void ParallelFor(
 
 void SetNumberOfThreads(int count)
 {
-  vtkSMPTools::Initialize(count);
+  // VTK 9.1 pays no heed to a number that was set already before 0 was; so 0 is set but once.
+  static const int all = []
+  {
+    vtkSMPTools::Initialize(0);
+    return vtkSMPTools::GetEstimatedNumberOfThreads();
+  }();
+  vtkSMPTools::Initialize(count > 0 ? count : all);
 }
 
 int NumberOfThreads()
