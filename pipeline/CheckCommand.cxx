@@ -96,11 +96,33 @@ std::string ViewRow(const CheckReport& report, std::size_t i, std::size_t nameWi
   return row;
 }
 
+std::string FindingText(const CheckFinding& finding)
+{
+  const std::string text = (finding.View.empty() ? "" : finding.View + ": ") + finding.Text;
+  return finding.Command.empty() ? text : text + " -> " + finding.Command;
+}
+
 std::string FindingLine(const CheckFinding& finding)
 {
-  std::string line = fmt::format("{:<8} {:<15} ", SeverityName(finding.Severity), finding.Kind);
-  line += (finding.View.empty() ? "" : finding.View + ": ") + finding.Text;
-  return finding.Command.empty() ? line : line + " -> " + finding.Command;
+  return fmt::format(
+    "{:<8} {:<15} {}", SeverityName(finding.Severity), finding.Kind, FindingText(finding));
+}
+
+/** Tells of problems where the table is not to be seen. */
+void TellProblems(const CheckReport& report, Console& console)
+{
+  for (const CheckFinding& finding : report.Findings)
+  {
+    const std::string text = finding.Kind + ": " + FindingText(finding);
+    if (finding.Severity == CheckSeverity::Error)
+    {
+      console.Error(text);
+    }
+    else if (finding.Severity == CheckSeverity::Warning)
+    {
+      console.Warn(text);
+    }
+  }
 }
 
 Json ViewJson(const CheckReport& report, std::size_t i)
@@ -230,6 +252,10 @@ bool RunCheck(const CheckOptions& options, Console& console)
   for (const std::string& line : CheckTable(report))
   {
     console.Info(line);
+  }
+  if (console.IsQuiet())
+  {
+    TellProblems(report, console);
   }
   if (!options.Out.empty())
   {

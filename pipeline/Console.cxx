@@ -114,6 +114,11 @@ void Console::RunTimed(const std::string& stage, const std::function<void()>& wo
   this->StageDone(stage, taken.count());
 }
 
+bool Console::IsQuiet() const
+{
+  return !this->Out->should_log(spdlog::level::info);
+}
+
 void Console::Info(const std::string& text)
 {
   this->ClearBar();

@@ -42,6 +42,8 @@ public:
   /** Does what is no filter's work, and counts it as a stage. */
   void RunTimed(const std::string& stage, const std::function<void()>& work);
 
+  /** Whether nothing but warnings and errors is written. */
+  bool IsQuiet() const;
   void Info(const std::string& text);
   void Detail(const std::string& text);
   void Warn(const std::string& text);

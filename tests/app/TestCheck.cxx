@@ -48,6 +48,10 @@ TEST_F(CheckProgram, TheCommandItGivesMendsTheDataSet)
     RunProgram({ "check", In("wrong").string(), "--out", In("json").string() });
   EXPECT_EQ(end.Code, 3) << end.Err;
   EXPECT_THAT(end.Out, HasSubstr("error    convention"));
+  const ProcessEnd quiet = RunProgram({ "check", In("wrong").string(), "--quiet" });
+  EXPECT_EQ(quiet.Code, 3);
+  EXPECT_EQ(quiet.Out, "");
+  EXPECT_THAT(quiet.Err, testing::StartsWith("novelview: error: convention: "));
   const auto finding = ReadJson(In("json") / "check.json")["findings"][0];
   EXPECT_EQ(finding["options"], (std::vector<std::string>{ "--poses", "camera-to-world" }));
   const std::string command = finding["command"].get<std::string>();
