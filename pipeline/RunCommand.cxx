@@ -8,6 +8,7 @@
 #include "MeshCommand.h"
 #include "Metrics.h"
 #include "ObjectMesh.h"
+#include "Parallel.h"
 #include "ReportPictures.h"
 #include "RunPage.h"
 #include "RunReport.h"
@@ -16,6 +17,7 @@
 #include "ViewAccess.h"
 
 #include <cstdio>
+#include <utility>
 
 namespace novelview
 {
@@ -58,22 +60,36 @@ std::string ScoreLine(const std::string& name, const std::optional<Scores>& scor
   return text;
 }
 
-/** Everything but the iterations, which are written as they come. */
+/** Everything but the iterations, which are written as they come: pictures and meshes at once. */
 void WriteReport(
   const std::vector<NovelView>& stages, const NovelView& oracle, Synthesis& made, RunReport& report)
 {
+  std::vector<std::pair<std::string, vtkPolyData*>> meshes = { { "visual_hull", made.Hull() },
+    { "power_crust", made.Crust() }, { "medial_balls", made.MedialBalls() } };
   for (std::size_t i = 0; i < stages.size(); ++i)
   {
-    report.AddStage(StageName(static_cast<Stage>(i)), stages[i]);
+    meshes.emplace_back(StageName(static_cast<Stage>(i)), stages[i].Mesh);
   }
-  if (oracle.Image)
+  const auto writeMeshes = [&]
   {
-    report.AddStage("oracle", oracle);
-  }
-  report.WriteMesh("visual_hull", made.Hull());
-  report.WriteMesh("power_crust", made.Crust());
-  report.WriteMesh("medial_balls", made.MedialBalls());
-  report.WriteNovel(stages.back().Image);
+    for (const auto& [name, mesh] : meshes)
+    {
+      report.WriteMesh(name, mesh);
+    }
+  };
+  const auto writePictures = [&]
+  {
+    for (std::size_t i = 0; i < stages.size(); ++i)
+    {
+      report.AddStage(StageName(static_cast<Stage>(i)), stages[i].Image);
+    }
+    if (oracle.Image)
+    {
+      report.AddStage("oracle", oracle.Image);
+    }
+    report.WriteNovel(stages.back().Image);
+  };
+  ParallelForEach(2, [&](std::size_t i) { i == 0 ? writePictures() : writeMeshes(); });
 }
 
 /** The cameras about the crust, as rig.png. */

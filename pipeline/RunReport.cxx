@@ -132,22 +132,18 @@ std::optional<Scores> RunReport::ScoreOf(vtkImageData* image) const
   return Compare(MaskedPictureOf(image, "novel view"), MaskedPictureOf(this->Truth, "truth"));
 }
 
-void RunReport::AddStage(const std::string& name, const NovelView& view)
+void RunReport::AddStage(const std::string& name, vtkImageData* image)
 {
   const fs::path stem = this->Folder / "stages" / name;
-  WriteArray(stem.string() + ".png", view.Image, arrays::Color);
-  WriteArray(stem.string() + "_mask.png", view.Image, arrays::Mask);
+  WriteArray(stem.string() + ".png", image, arrays::Color);
+  WriteArray(stem.string() + "_mask.png", image, arrays::Mask);
   if (this->Truth)
   {
-    const Image<std::uint8_t> error = ErrorPicture(view.Image, this->Truth);
+    const Image<std::uint8_t> error = ErrorPicture(image, this->Truth);
     WriteImageFile(stem.string() + "_error.png", error.Ref());
   }
-  if (view.Mesh)
-  {
-    this->WriteMesh(name, view.Mesh);
-  }
-  this->StageScores.emplace_back(name, this->ScoreOf(view.Image));
-  this->Images.push_back(view.Image);
+  this->StageScores.emplace_back(name, this->ScoreOf(image));
+  this->Images.push_back(image);
 }
 
 void RunReport::WriteNovel(vtkImageData* image) const

@@ -50,13 +50,13 @@ public:
   /** `truth` (arrays Color and Mask) may be null. */
   RunReport(std::filesystem::path folder, vtkImageData* truth);
 
-  /** stages/NAME.png, stages/NAME_mask.png, stages/NAME_error.png and meshes/NAME.vtp. */
-  void AddStage(const std::string& name, const NovelView& view);
+  /** stages/NAME.png, stages/NAME_mask.png and stages/NAME_error.png. */
+  void AddStage(const std::string& name, vtkImageData* image);
 
   /** novel.png, novel_mask.png, novel_depth.tiff, novel_unseen.png. */
   void WriteNovel(vtkImageData* image) const;
 
-  /** meshes/NAME.vtp; of a mesh without cells, with a vertex at each point. */
+  /** meshes/NAME.vtp; of a mesh without cells, with a vertex at each point. Beside other members. */
   void WriteMesh(const std::string& name, vtkPolyData* mesh) const;
 
   /**
