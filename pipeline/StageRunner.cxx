@@ -130,12 +130,10 @@ public:
   ~StageBeside() { this->Stopped = true; } // and the future waits
 
   bool Began() const { return this->Begun; }
-  bool Ended() const
+  bool EndsWithin(std::chrono::milliseconds time) const
   {
-    return this->Work.wait_for(std::chrono::milliseconds(0)) == std::future_status::ready;
+    return this->Work.wait_for(time) == std::future_status::ready;
   }
-  /** Waits a little. */
-  void Pause() const { this->Work.wait_for(std::chrono::milliseconds(50)); }
   void Stop() { this->Stopped = true; }
   /** Its seconds, below 0 when it was up to date; or throws what it threw. */
   double Get()
@@ -176,36 +174,44 @@ double RunStagesTogether(const StageRun& first, const StageRun& second,
   const auto start = std::chrono::steady_clock::now();
   StageBeside beside(second);
   bool told = false;
+  const auto tellSecond = [&](double fraction)
+  {
+    told = true;
+    return !progress || progress(second.Stage, fraction);
+  };
   const auto tell = [&](const std::string& stage, double fraction)
   {
-    bool goOn = true;
-    if (progress && beside.Began() && !std::exchange(told, true))
-    {
-      goOn = progress(second.Stage, 0);
-    }
+    const bool goOn = told || !beside.Began() || tellSecond(0);
     return (!progress || progress(stage, fraction)) && goOn;
   };
   double seconds = -1; // of the first
   RunStage(first.Stage, first.Filter, tell,
     [&seconds](const std::string&, double taken) { seconds = taken; });
-  const bool secondWasEarlier = beside.Ended();
-  while (!beside.Ended())
+  const bool secondWasEarlier = beside.EndsWithin(std::chrono::milliseconds(0));
+  while (!beside.EndsWithin(std::chrono::milliseconds(50)))
   {
-    if (beside.Began() && !tell(second.Stage, 0))
+    if (beside.Began() && !tellSecond(0))
     {
       beside.Stop();
     }
-    beside.Pause();
   }
   const double secondsBeside = beside.Get();
+  if (!told && beside.Began() && !tellSecond(1))
+  {
+    throw Interrupted();
+  }
   const std::chrono::duration<double> both = std::chrono::steady_clock::now() - start;
-  const std::pair<const StageRun*, double> ends[2] = { { &second, secondsBeside },
-    { &first, seconds } };
-  for (const auto& [run, taken] : { ends[!secondWasEarlier], ends[secondWasEarlier] })
+  std::pair<std::string, double> ended[2] = { { second.Stage, secondsBeside },
+    { first.Stage, seconds } };
+  if (!secondWasEarlier)
+  {
+    std::swap(ended[0], ended[1]);
+  }
+  for (const auto& [stage, taken] : ended)
   {
     if (done && taken >= 0)
     {
-      done(run->Stage, taken);
+      done(stage, taken);
     }
   }
   return std::max(0.0, std::max(seconds, 0.0) + std::max(secondsBeside, 0.0) - both.count());

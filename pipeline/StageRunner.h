@@ -33,9 +33,9 @@ struct StageRun
 /**
  * RunStage() for two filters at the same time: the first one in this thread, the second in another;
  * with one thread (LimitThreads) the second and then the first. They must not share a filter before
- * them. `progress` is called in this thread, with all of the first one's and with the second's when
- * it begins and while only that is left; a stop asked for stops both. When both have ended well,
- * `done` hears of the one that ended earlier and then of the other.
+ * them. `progress` is called in this thread, with all of the first one's and with the second's at
+ * least once, when it begins, and while only that is left; a stop asked for stops both. When both
+ * have ended well, `done` hears of the one that ended earlier and then of the other.
  *
  * When the first one fails its error is thrown, and the second is stopped. Returns how many seconds
  * less they took than the sum of both.

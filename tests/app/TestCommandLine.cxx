@@ -291,12 +291,13 @@ TEST(Program, InterruptStopsItOrderly)
 {
   const TemporaryFolder folder;
   const std::string err = (folder / "err").string();
+  const std::string data = "'" + (folder / "data").string() + "'";
   // Enough views that it is still at work when the signal comes; and an end, should it not come.
   // In the foreground timeout passes the signal on once; otherwise twice, which ends it at once.
   const std::string command = "timeout --foreground 100 '" NOVELVIEW_PROGRAM
-                              "' generate --quiet --views 2000" +
-    (" --out '" + (folder / "data").string()) + "' 2>'" + err +
-    "' & sleep 2; kill -INT $!; wait $!";
+                              "' generate --quiet --views 2000 --out " +
+    data + " 2>'" + err + "' & program=$!; for i in $(seq 600); do [ -e " + data +
+    " ] && break; sleep 0.1; done; kill -INT $program; wait $program";
   const int status = std::system(command.c_str());
   EXPECT_EQ(WEXITSTATUS(status), 130);
   EXPECT_EQ(ReadText(err), "novelview: error: interrupted\n");
