@@ -33,8 +33,7 @@ struct CommonFlags
     command
       .add_option("--timings", this->Timings,
         "JSON file that gets the seconds of every stage, by how much stages overlapped, the "
-        "threads "
-        "and the peak memory")
+        "threads and the peak memory")
       ->group("Program")
       ->type_name("PATH");
   }

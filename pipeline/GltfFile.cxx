@@ -132,12 +132,7 @@ Json NodeOf(const TexturedModel& model, const Eigen::Vector3d& middle)
 
 std::string GlbOf(const TexturedModel& model)
 {
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& point : model.Atlas.Mesh.Points)
-  {
-    box.extend(point);
-  }
-  const Eigen::Vector3d middle = box.center();
+  const Eigen::Vector3d middle = BoundingBox(model.Atlas.Mesh.Points).center();
   GltfBuffer buffer;
   const Json primitive = PrimitiveOf(model, middle, buffer);
   constexpr int jpegQuality = 93;

@@ -56,7 +56,10 @@ public:
   /** novel.png, novel_mask.png, novel_depth.tiff, novel_unseen.png. */
   void WriteNovel(vtkImageData* image) const;
 
-  /** meshes/NAME.vtp; of a mesh without cells, with a vertex at each point. Beside other members. */
+  /**
+   * meshes/NAME.vtp; of a mesh without cells, with a vertex at each point. Another thread may be in
+   * another member meanwhile.
+   */
   void WriteMesh(const std::string& name, vtkPolyData* mesh) const;
 
   /**

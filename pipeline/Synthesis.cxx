@@ -265,10 +265,9 @@ private:
     }
     this->Run("visual hull", this->Filters.HullSource);
     vtkPolyData* hull = this->Filters.HullSource->GetOutput();
-    if (hull->GetMTime() > this->CopyTime)
+    if (hull->GetMTime() > this->HullOfCrust->GetMTime())
     {
       // By hand, since pipelines that run at the same time must have no filter in common.
-      this->CopyTime = hull->GetMTime();
       this->HullOfCrust->ShallowCopy(hull);
       this->Filters.Mesher->SetInputData(this->HullOfCrust);
     }
@@ -399,7 +398,6 @@ private:
   std::optional<StageCache> Cache;
   std::optional<ViewIndependent> Kept; ///< what the cache had
   vtkNew<vtkPolyData> HullOfCrust;     ///< the Mesher's input
-  vtkMTimeType CopyTime = 0;           ///< of the hull that it is a copy of
   bool Looked = false;
   bool Stored = false;
   std::vector<std::string> Warnings;

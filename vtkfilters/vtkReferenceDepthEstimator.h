@@ -12,8 +12,8 @@
  * Ports:
  *  - in 0: vtkMultiBlockDataSet, the views (see ViewAccess.h) with `Color`, `Mask`,
  *    `ContourDistance`.
- *  - in 1: vtkPolyData, a closed surface around the object: that of the hull (vtkVisualHullSource, port
- *    1), or any mesh.
+ *  - in 1: vtkPolyData, a closed surface around the object: that of the hull (vtkVisualHullSource,
+ *    port 1), or any mesh.
  *  - out 0: vtkMultiBlockDataSet, the same views (arrays shared) with two point arrays more:
  *      `Depth` (float, z in world units, 0 where there is no object),
  *      `Confidence` (float, 0 to 1);

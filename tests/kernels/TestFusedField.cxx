@@ -38,6 +38,24 @@ struct FlatMap
   Image<float> Distance;
 };
 
+/** Two maps, one a little behind the other, and their votes at the depth of the first. */
+struct TwoMaps
+{
+  const FlatMap A{ 2.f, 0.5f };
+  const FlatMap B{ 2.02f, 0.25f, 0.1 };
+  const std::vector<View> Views{ A.AsView(), B.AsView() };
+  const FusedField Field{ Views, {}, Footprint };
+
+  static void ExpectVotes(const FusedField& field, double expectedF, double expectedW)
+  {
+    double f = 0;
+    double w = 0;
+    EXPECT_TRUE(field.Vote(Vector3d(0, 0, 2), f, w));
+    EXPECT_NEAR(f, expectedF, 1e-6);
+    EXPECT_NEAR(w, expectedW, 1e-6);
+  }
+};
+
 FusedField::RayResult WalkAlongZ(const FusedField& field, double from, double to)
 {
   return field.Walk(Vector3d::Zero(), Vector3d::UnitZ(), from, to, Footprint);
@@ -65,26 +83,14 @@ TEST(FusedField, VotesByHand)
 
 TEST(FusedField, ConfidencesAddUpOverTheViews)
 {
-  const FlatMap a(2.f, 0.5f);
-  const FlatMap b(2.02f, 0.25f, 0.1);
-  const std::vector<View> views{ a.AsView(), b.AsView() };
-  double f = 0;
-  double w = 0;
-  EXPECT_TRUE(FusedField(views, {}, Footprint).Vote(Vector3d(0, 0, 2), f, w));
-  EXPECT_NEAR(f, 0.25 * 0.4, 1e-6); // a: on the surface, b: 0.02 in front of it
-  EXPECT_NEAR(w, 0.75, 1e-6);
+  const TwoMaps maps;
+  TwoMaps::ExpectVotes(maps.Field, 0.25 * 0.4, 0.75); // A: on the surface, B: 0.02 in front of it
 }
 
 TEST(FusedField, OfSomeViewsOnlyTheyVote)
 {
-  const FlatMap a(2.f, 0.5f);
-  const FlatMap b(2.02f, 0.25f, 0.1);
-  const std::vector<View> views{ a.AsView(), b.AsView() };
-  double f = 0;
-  double w = 0;
-  EXPECT_TRUE(FusedField(views, {}, Footprint).Of({ 1 }).Vote(Vector3d(0, 0, 2), f, w));
-  EXPECT_NEAR(f, 0.25 * 0.4, 1e-6); // b alone: 0.02 in front of it
-  EXPECT_NEAR(w, 0.25, 1e-6);
+  const TwoMaps maps;
+  TwoMaps::ExpectVotes(maps.Field.Of({ 1 }), 0.25 * 0.4, 0.25); // B alone: 0.02 in front of it
 }
 
 TEST(FusedField, WithoutTextureDepthsCountLessAtGrazingIncidence)

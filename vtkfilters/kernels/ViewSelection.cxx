@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ViewSelection.h"
 
-#include <Eigen/Geometry>
+#include "TriangleMesh.h"
 
 #include <algorithm>
 #include <numeric>
@@ -60,11 +60,6 @@ double MedianFootprint(const std::vector<View>& views, const Vector3d& at)
 
 double MedianFootprint(const std::vector<View>& views, const std::vector<Vector3d>& points)
 {
-  Eigen::AlignedBox3d box;
-  for (const Vector3d& point : points)
-  {
-    box.extend(point);
-  }
-  return points.empty() ? 0 : MedianFootprint(views, box.center());
+  return points.empty() ? 0 : MedianFootprint(views, BoundingBox(points).center());
 }
 }

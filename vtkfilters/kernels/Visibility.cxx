@@ -141,12 +141,7 @@ private:
 
 double BoundingDiagonal(const std::vector<Vector3d>& points)
 {
-  Eigen::AlignedBox3d box;
-  for (const Vector3d& point : points)
-  {
-    box.extend(point);
-  }
-  return points.empty() ? 0 : box.diagonal().norm();
+  return points.empty() ? 0 : BoundingBox(points).diagonal().norm();
 }
 
 bool HidesVertex(
@@ -196,12 +191,7 @@ std::vector<std::uint8_t> VisibleVertices(
 
 bool IsInside(const TriangleMesh& mesh, const Vector3d& point)
 {
-  Eigen::AlignedBox3d box;
-  for (const Vector3d& each : mesh.Points)
-  {
-    box.extend(each);
-  }
-  if (!box.contains(point))
+  if (!BoundingBox(mesh.Points).contains(point))
   {
     return false;
   }
