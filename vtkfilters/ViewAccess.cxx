@@ -2,11 +2,11 @@
 #include "ViewAccess.h"
 
 #include "Error.h"
+#include "Threads.h"
 #include "vtkPinholeCamera.h"
 
 #include <vtkAOSDataArrayTemplate.h>
 #include <vtkCellArray.h>
-#include <vtkCellArrayIterator.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
@@ -20,6 +20,7 @@
 #include <vtkTypeTraits.h>
 
 #include <algorithm>
+#include <atomic>
 
 namespace novelview
 {
@@ -116,10 +117,14 @@ void CopyToArray(const Image<T>& from, const char* name, vtkImageData* to)
 {
   const ImageRef<T> rows = AddTopDownArray<T>(to, name, from.Channels);
   const std::size_t rowLength = static_cast<std::size_t>(from.Width) * from.Channels;
-  for (int y = 0; y < from.Height; ++y)
-  {
-    std::copy_n(from.Values.data() + y * rowLength, rowLength, rows.Row(y));
-  }
+  ParallelFor(from.Height,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      for (std::int64_t y = begin; y < end; ++y)
+      {
+        std::copy_n(from.Values.data() + y * rowLength, rowLength, rows.Row(static_cast<int>(y)));
+      }
+    });
 }
 
 #define NOVELVIEW_INSTANTIATE(T)                                                                   \
@@ -266,37 +271,72 @@ vtkSmartPointer<vtkPinholeCamera> NewPinholeCamera(const Camera& camera)
   return result;
 }
 
-TriangleMesh ToTriangleMesh(vtkPolyData* poly, const std::string& where)
+namespace
 {
-  TriangleMesh mesh;
-  const vtkIdType numberOfPoints = poly->GetNumberOfPoints();
-  mesh.Points.resize(numberOfPoints);
-  for (vtkIdType ptId = 0; ptId < numberOfPoints; ++ptId)
-  {
-    poly->GetPoint(ptId, mesh.Points[ptId].data());
-    if (!mesh.Points[ptId].allFinite())
-    {
-      throw Error(where, "point " + std::to_string(ptId) + " is not finite");
-    }
-  }
+/** Throws unless all cells are triangles. */
+void RequireTriangles(vtkPolyData* poly, const std::string& where)
+{
+  vtkCellArray* cells = poly->GetPolys();
   if (poly->GetNumberOfStrips() > 0)
   {
     throw Error(where, "a cell is not a triangle", "a strip", "triangles (see vtkTriangleFilter)");
   }
-  mesh.Triangles.reserve(poly->GetNumberOfPolys());
-  auto cells = vtk::TakeSmartPointer(poly->GetPolys()->NewIterator());
-  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
+  const vtkIdType count = cells->IsHomogeneous() == 3 ? 0 : cells->GetNumberOfCells();
+  for (vtkIdType cellId = 0; cellId < count; ++cellId)
   {
-    vtkIdType size = 0;
-    const vtkIdType* ids = nullptr;
-    cells->GetCurrentCell(size, ids);
-    if (size != 3)
+    if (const vtkIdType size = cells->GetCellSize(cellId); size != 3)
     {
       throw Error(where, "a cell is not a triangle", std::to_string(size) + " corners", "3");
     }
-    mesh.Triangles.emplace_back(
-      static_cast<int>(ids[0]), static_cast<int>(ids[1]), static_cast<int>(ids[2]));
   }
+}
+
+/** Copies the corners of triangles, whichever integers VTK keeps them as. */
+struct CopyCorners
+{
+  template <class State>
+  void operator()(State& state, std::vector<Eigen::Vector3i>& triangles) const
+  {
+    triangles.resize(state.GetNumberOfCells());
+    const auto* ids = state.GetConnectivity()->GetPointer(0);
+    ParallelFor(state.GetNumberOfCells(),
+      [&](std::int64_t begin, std::int64_t end)
+      {
+        for (std::int64_t i = begin; i < end; ++i)
+        {
+          triangles[i] = { static_cast<int>(ids[3 * i]), static_cast<int>(ids[3 * i + 1]),
+            static_cast<int>(ids[3 * i + 2]) };
+        }
+      });
+  }
+};
+}
+
+TriangleMesh ToTriangleMesh(vtkPolyData* poly, const std::string& where)
+{
+  TriangleMesh mesh;
+  mesh.Points.resize(poly->GetNumberOfPoints());
+  std::atomic<bool> finite = true;
+  ParallelFor(poly->GetNumberOfPoints(),
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      for (std::int64_t ptId = begin; ptId < end; ++ptId)
+      {
+        poly->GetPoint(ptId, mesh.Points[ptId].data());
+        if (!mesh.Points[ptId].allFinite())
+        {
+          finite = false;
+        }
+      }
+    });
+  if (!finite)
+  {
+    const auto bad = std::find_if(mesh.Points.begin(), mesh.Points.end(),
+      [](const Eigen::Vector3d& point) { return !point.allFinite(); });
+    throw Error(where, "point " + std::to_string(bad - mesh.Points.begin()) + " is not finite");
+  }
+  RequireTriangles(poly, where);
+  poly->GetPolys()->Visit(CopyCorners(), mesh.Triangles);
   return mesh;
 }
 

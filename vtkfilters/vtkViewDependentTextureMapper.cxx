@@ -74,11 +74,6 @@ int vtkViewDependentTextureMapper::RequestData(
       const novelview::Camera camera = novelview::RequireCamera(this->Camera);
       const novelview::TriangleMesh mesh =
         novelview::ToTriangleMesh(vtkPolyData::GetData(inputs[0]), "mesh");
-      std::optional<novelview::TriangleMesh> occluders;
-      if (vtkPolyData* input = vtkPolyData::GetData(inputs[2]))
-      {
-        occluders = novelview::ToTriangleMesh(input, "occluders");
-      }
       novelview::ViewNeeds needs;
       needs.Color = needs.ContourDistance = true;
       const std::vector<novelview::View> views =
@@ -93,6 +88,12 @@ int vtkViewDependentTextureMapper::RequestData(
       options.UseGains = this->UseExposureGains;
       options.RimSamples = this->RimSamples | 1;
       options.SoftRim = this->SoftRim;
+      std::optional<novelview::TriangleMesh> occluders;
+      vtkPolyData* others = vtkPolyData::GetData(inputs[2]);
+      if (others && novelview::NeedsModel(views, options))
+      {
+        occluders = novelview::ToTriangleMesh(others, "occluders");
+      }
       const novelview::TexturedView result = novelview::TextureView(mesh,
         occluders ? &*occluders : nullptr, views, camera, options, novelview::ExecutionFor(this));
 

@@ -161,7 +161,7 @@ TEST(Rasteriser, SubRaysSeeWhatAPictureThreeTimesAsLargeSees)
   {
     chosen.Values[i] = 1;
   }
-  const SubRays rays = RasteriseSubRays(mesh, camera, chosen, 3);
+  const SubRays rays = MeshInFrame(mesh, camera, {}).RasteriseSubRays(chosen, 3);
   int different = 0;
   int hits = 0;
   for (int y = 0; y < fine.Height; ++y)
@@ -186,7 +186,7 @@ TEST(Rasteriser, SubRaysSeeWhatAPictureThreeTimesAsLargeSees)
   EXPECT_GT(hits, 1000);
   // The same rays; rounding may decide otherwise only where one runs exactly through an edge.
   EXPECT_LE(different, 1);
-  const SubRays threads = RasteriseSubRays(mesh, camera, chosen, 3, InThreads(3));
+  const SubRays threads = MeshInFrame(mesh, camera, InThreads(3)).RasteriseSubRays(chosen, 3);
   EXPECT_EQ(threads.CellId, rays.CellId);
   EXPECT_EQ(threads.Depth, rays.Depth);
 }

@@ -17,6 +17,8 @@ struct BlendReference
 {
   const View* Photo;
   Eigen::Vector3d Centre;
+  Eigen::Matrix<double, 3, 4> P; ///< K [R | T]: its last row gives the depth
+  double FocalLength;
   Image<float> ModelDepth;     ///< empty when the photograph's own depth map is used
   ImageRef<const float> Depth; ///< 0 or infinity = nothing there
 };
@@ -41,9 +43,12 @@ class PhotoBlender
 {
 public:
   PhotoBlender(const std::vector<BlendReference>& references, const TextureOptions& options)
-    : References(references)
-    , Options(options)
+    : Options(options)
   {
+    for (const BlendReference& reference : references)
+    {
+      this->Nearest.emplace_back(0, &reference);
+    }
   }
 
   /**
@@ -55,9 +60,9 @@ public:
 private:
   void SortByAngle(const Eigen::Vector3d& point, const Eigen::Vector3d& ray);
 
-  const std::vector<BlendReference>& References;
   const TextureOptions& Options;
-  std::vector<std::pair<double, const BlendReference*>> Nearest; ///< with the cosine to the ray
+  /** All references with the cosine to the ray, the nearest first. */
+  std::vector<std::pair<double, const BlendReference*>> Nearest;
 };
 }
 

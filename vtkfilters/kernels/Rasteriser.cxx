@@ -91,6 +91,17 @@ struct ProjectedTriangle
     return { FirstPixel(xMin - margin, width), EndPixel(xMax + margin, width),
       FirstPixel(yMin - margin, height), EndPixel(yMax + margin, height) };
   }
+
+  /** The rays that it may meet, of perSide x perSide in each pixel, numbered over the whole frame. */
+  PixelBox RayBox(int perSide, int width, int height) const
+  {
+    constexpr double rounding = 1e-6;
+    const auto fine = [perSide](const ProjectedPoint& p) {
+      return ProjectedPoint{ (p.X + 0.5) * perSide - 0.5, (p.Y + 0.5) * perSide - 0.5, 0 };
+    };
+    return ProjectedTriangle(fine(this->P[0]), fine(this->P[1]), fine(this->P[2]))
+      .Box(rounding, width * perSide, height * perSide);
+  }
 };
 
 /** Depths over a triangle. */
@@ -102,35 +113,48 @@ public:
   {
   }
 
-  /** Calls take(x, depth) for the places x = first, first + 1 .. of a row that it covers. */
-  template <class Take>
-  void ForRow(double y, double first, int count, const Take& take) const
+  /** The places (x, y) of one y. */
+  class Row
   {
-    const double row0 = this->Edges[0].Row(y);
-    const double row1 = this->Edges[1].Row(y);
-    const double row2 = this->Edges[2].Row(y);
-    for (int i = 0; i < count; ++i)
+  public:
+    Row(const TriangleDepth& depths, double y)
+      : Depths(depths)
+      , Parts{ depths.Edges[0].Row(y), depths.Edges[1].Row(y), depths.Edges[2].Row(y) }
     {
-      const double x = first + i;
-      const double w0 = this->Edges[0].A * x + row0;
-      const double w1 = this->Edges[1].A * x + row1;
-      const double w2 = this->Edges[2].A * x + row2;
-      if (w0 >= 0 && w1 >= 0 && w2 >= 0)
-      {
-        take(i,
-          static_cast<float>((w0 + w1 + w2) /
-            (w0 * this->InverseDepth[0] + w1 * this->InverseDepth[1] +
-              w2 * this->InverseDepth[2])));
-      }
     }
-  }
 
-  /**
-   * Puts the depths of the pixels of a box into a picture of the nearest, and one of the farthest
-   * unless that is null. Four pixels at once: up to three after the last one must be there.
-   */
+    /** The depth at x; infinity where the triangle does not cover it. */
+    float At(double x) const
+    {
+      const double w0 = this->Depths.Edges[0].A * x + this->Parts[0];
+      const double w1 = this->Depths.Edges[1].A * x + this->Parts[1];
+      const double w2 = this->Depths.Edges[2].A * x + this->Parts[2];
+      if (!(w0 >= 0 && w1 >= 0 && w2 >= 0))
+      {
+        return NoDepth;
+      }
+      const double* inverse = this->Depths.InverseDepth;
+      return static_cast<float>(
+        (w0 + w1 + w2) / (w0 * inverse[0] + w1 * inverse[1] + w2 * inverse[2]));
+    }
+
+  private:
+    const TriangleDepth& Depths;
+    const double Parts[3];
+  };
+
+  /** Pictures to draw into, with up to three more pixels after the last one; null = not wanted. */
+  struct Pictures
+  {
+    int Stride;
+    float* Nearest;
+    float* Farthest = nullptr;
+    int* CellId = nullptr; ///< of the nearest
+  };
+
+  /** Draws the pixels of a box, four at once. */
   [[gnu::always_inline]] inline void Draw(
-    const PixelBox& box, int width, float* nearest, float* farthest) const
+    const PixelBox& box, const Pictures& to, int cellId = -1) const
   {
     using Doubles [[gnu::vector_size(32)]] = double;
     using Floats [[gnu::vector_size(16)]] = float;
@@ -151,16 +175,25 @@ public:
           Floats);
         const auto covered = __builtin_convertvector(
           (w0 >= 0) & (w1 >= 0) & (w2 >= 0) & (x < static_cast<double>(box.XEnd)), Ints);
-        const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(y) * width + first;
+        const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(y) * to.Stride + first;
         Floats before;
-        std::memcpy(&before, nearest + at, sizeof(before));
-        Floats after = (covered & (depth < before)) ? depth : before;
-        std::memcpy(nearest + at, &after, sizeof(after));
-        if (farthest)
+        std::memcpy(&before, to.Nearest + at, sizeof(before));
+        // Triangles come in the order of their ids, so "nearer" alone lets the lowest id win.
+        const Ints nearer = covered & (depth < before);
+        Floats after = nearer ? depth : before;
+        std::memcpy(to.Nearest + at, &after, sizeof(after));
+        if (to.CellId)
         {
-          std::memcpy(&before, farthest + at, sizeof(before));
+          Ints ids;
+          std::memcpy(&ids, to.CellId + at, sizeof(ids));
+          ids = nearer ? Ints{} + cellId : ids;
+          std::memcpy(to.CellId + at, &ids, sizeof(ids));
+        }
+        if (to.Farthest)
+        {
+          std::memcpy(&before, to.Farthest + at, sizeof(before));
           after = (covered & (depth > before)) ? depth : before;
-          std::memcpy(farthest + at, &after, sizeof(after));
+          std::memcpy(to.Farthest + at, &after, sizeof(after));
         }
       }
     }
@@ -194,79 +227,54 @@ std::vector<ProjectedPoint> ProjectPoints(
   return points;
 }
 
+}
+
 /** The triangles of a mesh, projected and sorted into bands of rows that are drawn in parallel. */
 class TriangleBands
 {
 public:
-  /** @param margin as for ProjectedTriangle::Box. */
-  TriangleBands(
-    const TriangleMesh& mesh, const Camera& camera, double margin, const Execution& execution)
-    : Mesh(mesh)
-    , Run(execution)
-    , Margin(margin)
-    , Width(camera.Width)
+  TriangleBands(const TriangleMesh& mesh, const Camera& camera, const Execution& execution)
+    : Width(camera.Width)
     , Height(camera.Height)
+    , Mesh(mesh)
+    , Run(execution)
     , Points(ProjectPoints(mesh, camera, execution))
   {
     execution.ForEach(Parts,
       [&](std::int64_t part)
       {
-        std::vector<std::vector<int>>& cellsOfBand = this->CellsOfBand[part];
-        cellsOfBand.resize(this->NumberOfBands());
+        std::vector<std::vector<Entry>>& band = this->Bands[part];
+        band.resize(this->NumberOfBands());
         const std::size_t count = mesh.Triangles.size();
         for (std::size_t cellId = part * count / Parts; cellId < (part + 1) * count / Parts;
              ++cellId)
         {
-          this->Sort(static_cast<int>(cellId), cellsOfBand);
+          this->Sort(static_cast<int>(cellId), band);
         }
       });
   }
 
   /**
-   * Calls draw(cellId, triangle, box) for every triangle and band, bands in parallel, the triangles
-   * of a band in the order of their ids; box is the triangle's part of the band.
+   * Calls draw(cellId, box) for every triangle of a band in the order of their ids; box has the
+   * pixels of the band of which the triangle may cover a part.
    */
+  template <class Draw>
+  [[gnu::always_inline]] inline void ForBand(std::int64_t band, const Draw& draw) const
+  {
+    for (const std::vector<std::vector<Entry>>& part : this->Bands)
+    {
+      for (const Entry& entry : part[band])
+      {
+        draw(entry.CellId, entry.Box);
+      }
+    }
+  }
+
+  /** Calls draw(band) for all, in parallel. */
   template <class Draw>
   void ForEach(const Draw& draw) const
   {
-    this->Run.ForEach(this->NumberOfBands(),
-      [&](std::int64_t band)
-      {
-        const int rowBegin = static_cast<int>(band) * BandRows;
-        for (const std::vector<std::vector<int>>& cellsOfBand : this->CellsOfBand)
-        {
-          for (const int cellId : cellsOfBand[band])
-          {
-            const ProjectedTriangle triangle = this->Projected(cellId);
-            PixelBox box = triangle.Box(this->Margin, this->Width, this->Height);
-            box.YBegin = std::max(box.YBegin, rowBegin);
-            box.YEnd = std::min(box.YEnd, rowBegin + BandRows);
-            draw(cellId, triangle, box);
-          }
-        }
-      });
-  }
-
-private:
-  /** The triangles are sorted in so many parts in parallel; each keeps the order of their ids. */
-  static constexpr int Parts = 16;
-
-  int NumberOfBands() const { return (this->Height + BandRows - 1) / BandRows; }
-
-  void Sort(int cellId, std::vector<std::vector<int>>& cellsOfBand) const
-  {
-    const ProjectedTriangle triangle = this->Projected(cellId);
-    if (!triangle.Drawn())
-    {
-      return;
-    }
-    if (const PixelBox box = triangle.Box(this->Margin, this->Width, this->Height); !box.Empty())
-    {
-      for (int band = box.YBegin / BandRows; band <= (box.YEnd - 1) / BandRows; ++band)
-      {
-        cellsOfBand[band].push_back(cellId);
-      }
-    }
+    this->Run.ForEach(this->NumberOfBands(), draw);
   }
 
   ProjectedTriangle Projected(std::size_t cellId) const
@@ -275,14 +283,65 @@ private:
     return ProjectedTriangle(this->Points[t[0]], this->Points[t[1]], this->Points[t[2]]);
   }
 
-  const TriangleMesh& Mesh;
-  const Execution& Run;
-  const double Margin;
+  static int RowBegin(std::int64_t band) { return static_cast<int>(band) * BandRows; }
+  int RowEnd(std::int64_t band) const
+  {
+    return std::min(TriangleBands::RowBegin(band) + BandRows, this->Height);
+  }
+
   const int Width;
   const int Height;
+
+private:
+  /** The triangles are sorted in so many parts in parallel; each keeps the order of their ids. */
+  static constexpr int Parts = 16;
+
+  struct Entry
+  {
+    int CellId;
+    PixelBox Box;
+  };
+
+  int NumberOfBands() const { return (this->Height + BandRows - 1) / BandRows; }
+
+  void Sort(int cellId, std::vector<std::vector<Entry>>& bands) const
+  {
+    const ProjectedTriangle triangle = this->Projected(cellId);
+    if (!triangle.Drawn())
+    {
+      return;
+    }
+    constexpr double halfPixel = 0.5;
+    const PixelBox box = triangle.Box(halfPixel, this->Width, this->Height);
+    for (int begin = box.YBegin, end = 0; begin < box.YEnd && !box.Empty(); begin = end)
+    {
+      const int band = begin / BandRows;
+      end = std::min(box.YEnd, (band + 1) * BandRows);
+      bands[band].push_back({ cellId, { box.XBegin, box.XEnd, begin, end } });
+    }
+  }
+
+  const TriangleMesh& Mesh;
+  const Execution& Run;
   std::vector<ProjectedPoint> Points;
-  std::array<std::vector<std::vector<int>>, Parts> CellsOfBand;
+  std::array<std::vector<std::vector<Entry>>, Parts> Bands; ///< by part and band
 };
+
+namespace
+{
+NOVELVIEW_CLONES void DrawBand(
+  const TriangleBands& bands, std::int64_t band, const TriangleDepth::Pictures& to)
+{
+  bands.ForBand(band,
+    [&](int cellId, const PixelBox& around)
+    {
+      const ProjectedTriangle triangle = bands.Projected(cellId);
+      PixelBox box = triangle.Box(0, bands.Width, bands.Height);
+      box.YBegin = std::max(box.YBegin, around.YBegin);
+      box.YEnd = std::min(box.YEnd, around.YEnd);
+      TriangleDepth(triangle).Draw(box, to, cellId);
+    });
+}
 
 NOVELVIEW_CLONES void DrawTriangles(const std::vector<Eigen::Vector3i>& triangles,
   const std::vector<ProjectedPoint>& points, int width, int height, float* nearest, float* farthest)
@@ -292,7 +351,7 @@ NOVELVIEW_CLONES void DrawTriangles(const std::vector<Eigen::Vector3i>& triangle
     const ProjectedTriangle triangle(points[t[0]], points[t[1]], points[t[2]]);
     if (triangle.Drawn())
     {
-      TriangleDepth(triangle).Draw(triangle.Box(0, width, height), width, nearest, farthest);
+      TriangleDepth(triangle).Draw(triangle.Box(0, width, height), { width, nearest, farthest });
     }
   }
 }
@@ -320,31 +379,38 @@ void DrawDepths(
 }
 }
 
-ItemBuffer Rasterise(const TriangleMesh& mesh, const Camera& camera, const Execution& execution)
+MeshInFrame::MeshInFrame(const TriangleMesh& mesh, const Camera& camera, const Execution& execution)
+  : Bands(std::make_unique<const TriangleBands>(mesh, camera, execution))
 {
-  ItemBuffer buffer;
-  buffer.CellId = Image<int>(camera.Width, camera.Height, 1, -1);
-  buffer.Depth = Image<float>(camera.Width, camera.Height, 1, NoDepth);
-  const TriangleBands bands(mesh, camera, 0, execution);
-  bands.ForEach(
-    [&](int cellId, const ProjectedTriangle& triangle, const PixelBox& box)
+}
+
+MeshInFrame::~MeshInFrame() = default;
+
+ItemBuffer MeshInFrame::Rasterise() const
+{
+  const int width = this->Bands->Width;
+  const int height = this->Bands->Height;
+  // Wider by what Draw() may touch after a row, where another band's may begin.
+  const int stride = width + 3;
+  ItemBuffer wide{ Image<int>(stride, height, 1, -1), Image<float>(stride, height, 1, NoDepth) };
+  ItemBuffer buffer{ Image<int>(width, height), Image<float>(width, height) };
+  this->Bands->ForEach(
+    [&](std::int64_t band)
     {
-      const TriangleDepth depths(triangle);
-      for (int y = box.YBegin; y < box.YEnd; ++y)
+      DrawBand(*this->Bands, band,
+        { stride, wide.Depth.Values.data(), nullptr, wide.CellId.Values.data() });
+      for (int y = TriangleBands::RowBegin(band); y < this->Bands->RowEnd(band); ++y)
       {
-        depths.ForRow(y, box.XBegin, box.XEnd - box.XBegin,
-          [&](int i, float depth)
-          {
-            // Triangles come in the order of their ids, so "nearer" alone lets the lowest id win.
-            if (depth < buffer.Depth(box.XBegin + i, y))
-            {
-              buffer.Depth(box.XBegin + i, y) = depth;
-              buffer.CellId(box.XBegin + i, y) = cellId;
-            }
-          });
+        std::copy_n(&wide.CellId(0, y), width, &buffer.CellId(0, y));
+        std::copy_n(&wide.Depth(0, y), width, &buffer.Depth(0, y));
       }
     });
   return buffer;
+}
+
+ItemBuffer Rasterise(const TriangleMesh& mesh, const Camera& camera, const Execution& execution)
+{
+  return MeshInFrame(mesh, camera, execution).Rasterise();
 }
 
 Image<float> RasteriseDepth(const TriangleMesh& mesh, const Camera& camera)
@@ -361,12 +427,49 @@ DepthRange RasteriseRange(const TriangleMesh& mesh, const Camera& camera)
   return range;
 }
 
-SubRays RasteriseSubRays(const TriangleMesh& mesh, const Camera& camera,
-  const Image<std::uint8_t>& chosen, int perSide, const Execution& execution)
+namespace
+{
+/** Tells quickly that no pixel of a box is marked. */
+class MarkedTiles
+{
+public:
+  explicit MarkedTiles(const Image<std::uint8_t>& marks)
+    : Tiles((marks.Width >> Shift) + 1, (marks.Height >> Shift) + 1)
+  {
+    for (int y = 0; y < marks.Height; ++y)
+    {
+      for (int x = 0; x < marks.Width; ++x)
+      {
+        this->Tiles(x >> Shift, y >> Shift) |= marks(x, y);
+      }
+    }
+  }
+
+  /** Whether a tile that the box touches has a marked pixel. */
+  bool AnyIn(const PixelBox& box) const
+  {
+    std::uint8_t any = 0;
+    for (int y = box.YBegin >> Shift; y <= (box.YEnd - 1) >> Shift; ++y)
+    {
+      for (int x = box.XBegin >> Shift; x <= (box.XEnd - 1) >> Shift; ++x)
+      {
+        any |= this->Tiles(x, y);
+      }
+    }
+    return any != 0;
+  }
+
+private:
+  static constexpr int Shift = 3; ///< tiles of 8 x 8 pixels
+  Image<std::uint8_t> Tiles;
+};
+}
+
+SubRays MeshInFrame::RasteriseSubRays(const Image<std::uint8_t>& chosen, int perSide) const
 {
   SubRays rays;
   rays.PerSide = perSide;
-  rays.Index = Image<int>(camera.Width, camera.Height, 1, -1);
+  rays.Index = Image<int>(chosen.Width, chosen.Height, 1, -1);
   int count = 0;
   for (std::size_t i = 0; i < chosen.Values.size(); ++i)
   {
@@ -375,66 +478,90 @@ SubRays RasteriseSubRays(const TriangleMesh& mesh, const Camera& camera,
   const std::size_t perPixel = static_cast<std::size_t>(perSide) * perSide;
   rays.CellId.assign(count * perPixel, -1);
   rays.Depth.assign(count * perPixel, NoDepth);
-  const TriangleBands bands(mesh, camera, 0.5, execution);
-  bands.ForEach(
-    [&](int cellId, const ProjectedTriangle& triangle, const PixelBox& box)
+  const MarkedTiles tiles(chosen);
+  const auto draw = [&](int cellId, const PixelBox& box)
+  {
+    if (!tiles.AnyIn(box)) // most triangles cover no chosen pixel
     {
-      bool any = false; // of its pixels is chosen; most triangles have none
-      for (int y = box.YBegin; y < box.YEnd && !any; ++y)
+      return;
+    }
+    const ProjectedTriangle triangle = this->Bands->Projected(cellId);
+    const PixelBox fine = triangle.RayBox(perSide, chosen.Width, chosen.Height);
+    const TriangleDepth depths(triangle);
+    const int yEnd = std::min(fine.YEnd, box.YEnd * perSide);
+    for (int yFine = std::max(fine.YBegin, box.YBegin * perSide); yFine < yEnd; ++yFine)
+    {
+      const int y = yFine / perSide;
+      const int j = yFine % perSide;
+      const TriangleDepth::Row row(depths, y + rays.Offset(j));
+      for (int x = box.XBegin; x < box.XEnd; ++x)
       {
-        const std::uint8_t* row = &chosen(0, y);
-        any = std::any_of(
-          row + box.XBegin, row + box.XEnd, [](std::uint8_t value) { return value != 0; });
-      }
-      if (!any)
-      {
-        return;
-      }
-      const TriangleDepth depths(triangle);
-      const auto draw = [&](int x, int y, std::size_t k)
-      {
-        const int column = static_cast<int>(k) % perSide;
-        const int row = static_cast<int>(k) / perSide;
-        const std::size_t ray = rays.Index(x, y) * perPixel + k;
-        depths.ForRow(y + rays.Offset(row), x + rays.Offset(column), 1,
-          [&](int, float depth)
-          {
-            if (depth < rays.Depth[ray])
-            {
-              rays.Depth[ray] = depth;
-              rays.CellId[ray] = cellId;
-            }
-          });
-      };
-      for (int y = box.YBegin; y < box.YEnd; ++y)
-      {
-        for (int x = box.XBegin; x < box.XEnd; ++x)
+        if (!chosen(x, y))
         {
-          for (std::size_t k = 0; k < perPixel && rays.Index(x, y) >= 0; ++k)
+          continue;
+        }
+        const std::size_t first = rays.Index(x, y) * perPixel + j * perSide;
+        const int end = std::min(perSide, fine.XEnd - x * perSide);
+        for (int i = std::max(0, fine.XBegin - x * perSide); i < end; ++i)
+        {
+          if (const float depth = row.At(x + rays.Offset(i)); depth < rays.Depth[first + i])
           {
-            draw(x, y, k);
+            rays.Depth[first + i] = depth;
+            rays.CellId[first + i] = cellId;
           }
         }
       }
-    });
+    }
+  };
+  this->Bands->ForEach([&](std::int64_t band) { this->Bands->ForBand(band, draw); });
   return rays;
 }
 
-double DepthBehind(const ImageRef<const float>& depth, const Eigen::Vector2d& pixel, double z)
+namespace
 {
-  const int x = static_cast<int>(std::lround(pixel.x()));
-  const int y = static_cast<int>(std::lround(pixel.y()));
+/** The integer nearest to a value; the one above from half-way. */
+int NearestPixel(double value)
+{
+  const int whole = static_cast<int>(value + 0.5);
+  return whole - (whole > value + 0.5 ? 1 : 0);
+}
+
+/** The deepest of the 3x3 pixels around one, of those inside the image; 0 = none has a depth. */
+float DeepestAround(const ImageRef<const float>& depth, int x, int y)
+{
   float deepest = 0;
+  const auto take = [&deepest](float value)
+  { deepest = std::max(deepest, value < NoDepth ? value : 0.f); };
+  if (depth.Contains(x - 1, y - 1) && depth.Contains(x + 1, y + 1))
+  {
+    for (int j = -1; j <= 1; ++j)
+    {
+      const float* row = depth.Pixel(x, y + j);
+      take(row[-1]);
+      take(row[0]);
+      take(row[1]);
+    }
+    return deepest;
+  }
   for (int j = y - 1; j <= y + 1; ++j)
   {
     for (int i = x - 1; i <= x + 1; ++i)
     {
-      if (depth.Contains(i, j) && std::isfinite(depth(i, j)))
-      {
-        deepest = std::max(deepest, depth(i, j));
-      }
+      take(depth.Contains(i, j) ? depth(i, j) : 0.f);
     }
   }
+  return deepest;
+}
+}
+
+double DepthBehind(const ImageRef<const float>& depth, const Eigen::Vector2d& pixel, double z)
+{
+  if (!(pixel.x() > -2 && pixel.y() > -2 && pixel.x() < depth.Width + 1 &&
+        pixel.y() < depth.Height + 1))
+  {
+    return -std::numeric_limits<double>::infinity();
+  }
+  const float deepest = DeepestAround(depth, NearestPixel(pixel.x()), NearestPixel(pixel.y()));
   return deepest > 0 ? z - deepest : -std::numeric_limits<double>::infinity();
 }
 }

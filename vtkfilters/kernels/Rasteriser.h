@@ -8,10 +8,13 @@
 #include "TriangleMesh.h"
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace novelview
 {
+class TriangleBands;
+
 /** What a camera sees of a mesh, per pixel: the paper's mesh lookup table. */
 struct ItemBuffer
 {
@@ -66,9 +69,23 @@ struct SubRays
   double Offset(int i) const { return (i + 0.5) / this->PerSide - 0.5; }
 };
 
-/** Rasterises a mesh as Rasterise() does, with PerSide^2 rays in each of the `chosen` pixels. */
-SubRays RasteriseSubRays(const TriangleMesh& mesh, const Camera& camera,
-  const Image<std::uint8_t>& chosen, int perSide, const Execution& execution = {});
+/** A mesh projected into a camera's frame once, to be rasterised in several ways. */
+class MeshInFrame
+{
+public:
+  /** Mesh and execution must outlive it. */
+  MeshInFrame(const TriangleMesh& mesh, const Camera& camera, const Execution& execution);
+  ~MeshInFrame();
+
+  /** What novelview::Rasterise() makes. */
+  ItemBuffer Rasterise() const;
+
+  /** The same with perSide^2 rays through each of the `chosen` pixels. */
+  SubRays RasteriseSubRays(const Image<std::uint8_t>& chosen, int perSide) const;
+
+private:
+  const std::unique_ptr<const TriangleBands> Bands;
+};
 }
 
 #endif

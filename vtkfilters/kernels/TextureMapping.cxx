@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "TextureMapping.h"
 
+#include "CpuClones.h"
 #include "FillInLayers.h"
 #include "PhotoBlender.h"
 
@@ -12,6 +13,7 @@ namespace novelview
 {
 namespace
 {
+using Eigen::Matrix3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
@@ -36,13 +38,10 @@ std::vector<BlendReference> ReferencesFor(const TriangleMesh& mesh, const Triang
   const std::vector<View>& views, const Camera& camera, const TextureOptions& options,
   const Execution& execution)
 {
-  const bool allHaveDepth = options.UseDepthMaps &&
-    std::none_of(
-      views.begin(), views.end(), [](const View& view) { return view.DepthMap.Empty(); });
   // More than a right angle off, a photograph shows the other side.
   const Vector3d axis = camera.OpticalAxis();
-  return MakeBlendReferences(
-    allHaveDepth ? TriangleMesh() : SceneOf(mesh, occluders), views, &axis, options, execution);
+  return MakeBlendReferences(NeedsModel(views, options) ? SceneOf(mesh, occluders) : TriangleMesh(),
+    views, &axis, options, execution);
 }
 
 /**
@@ -52,10 +51,39 @@ std::vector<BlendReference> ReferencesFor(const TriangleMesh& mesh, const Triang
 struct CoveredBuffer
 {
   ItemBuffer Front;
-  Image<float> Coverage;  ///< 0 to 1
-  SubRays Rim;            ///< rays through the pixels next to which another is not hit as they are
-  Image<Vector2d> Offset; ///< where in the pixel the depth was taken, px from its centre
+  Image<float> Coverage;      ///< 0 to 1
+  SubRays Rim;                ///< through the pixels next to which another is not hit as they are
+  Image<std::uint8_t> SubRay; ///< the sub-ray whose depth a pixel has
+
+  /** The point of a pixel's square that its depth belongs to. */
+  Vector2d Place(int x, int y) const
+  {
+    const int k = this->SubRay(x, y);
+    return { x + this->Rim.Offset(k % this->Rim.PerSide),
+      y + this->Rim.Offset(k / this->Rim.PerSide) };
+  }
 };
+
+/** Joins a row of triangle ids to two rows of marks: hit in any row so far, hit in all. */
+NOVELVIEW_CLONES void JoinHits(const int* cellIds, int width, std::uint8_t* any, std::uint8_t* all)
+{
+  for (int x = 0; x < width; ++x)
+  {
+    const std::uint8_t hit = cellIds[x] >= 0;
+    any[x] |= hit;
+    all[x] &= hit;
+  }
+}
+
+/** Marks pixels of which, with the two neighbours in the row, some are hit but not all. */
+NOVELVIEW_CLONES void MarkRim(
+  const std::uint8_t* any, const std::uint8_t* all, int width, std::uint8_t* rim)
+{
+  for (int x = 0; x < width; ++x)
+  {
+    rim[x] = (any[x - 1] | any[x] | any[x + 1]) & ((all[x - 1] & all[x] & all[x + 1]) ^ 1);
+  }
+}
 
 /** The pixels at the border between object and background: some of the 3x3 are hit, some not. */
 Image<std::uint8_t> RimPixels(const ItemBuffer& front, const Execution& execution)
@@ -73,23 +101,14 @@ Image<std::uint8_t> RimPixels(const ItemBuffer& front, const Execution& executio
     [&](Rows& rows, std::int64_t row)
     {
       const int y = static_cast<int>(row);
-      rows.Any.assign(width, 0);
-      rows.All.assign(width, 1);
+      // With a column more on both sides, of which nothing follows.
+      rows.Any.assign(width + 2, 0);
+      rows.All.assign(width + 2, 1);
       for (int j = std::max(y - 1, 0); j <= std::min(y + 1, height - 1); ++j)
       {
-        for (int x = 0; x < width; ++x)
-        {
-          rows.Any[x] |= front.Hit(x, j);
-          rows.All[x] &= front.Hit(x, j);
-        }
+        JoinHits(&front.CellId(0, j), width, &rows.Any[1], &rows.All[1]);
       }
-      for (int x = 0; x < width; ++x)
-      {
-        const int left = std::max(x - 1, 0);
-        const int right = std::min(x + 1, width - 1);
-        rim(x, y) = (rows.Any[left] | rows.Any[x] | rows.Any[right]) &
-          !(rows.All[left] & rows.All[x] & rows.All[right]);
-      }
+      MarkRim(&rows.Any[1], &rows.All[1], width, &rim(0, y));
     });
   return rim;
 }
@@ -118,7 +137,7 @@ void CoverRimPixel(CoveredBuffer& buffer, int x, int y)
       nearest = i * i + j * j;
       buffer.Front.CellId(x, y) = rays.CellId[first + k];
       buffer.Front.Depth(x, y) = rays.Depth[first + k];
-      buffer.Offset(x, y) = Vector2d(rays.Offset(i + middle), rays.Offset(j + middle));
+      buffer.SubRay(x, y) = static_cast<std::uint8_t>(k);
     }
   }
   buffer.Coverage(x, y) = static_cast<float>(hits) / perPixel;
@@ -127,28 +146,28 @@ void CoverRimPixel(CoveredBuffer& buffer, int x, int y)
 CoveredBuffer RasteriseCovered(
   const TriangleMesh& mesh, const Camera& camera, int samples, const Execution& execution)
 {
+  const MeshInFrame inFrame(mesh, camera, execution);
   CoveredBuffer result;
-  result.Front = Rasterise(mesh, camera, execution);
+  result.Front = inFrame.Rasterise();
+  const Image<std::uint8_t> rim = samples > 1 ? RimPixels(result.Front, execution)
+                                              : Image<std::uint8_t>(camera.Width, camera.Height);
+  result.Rim = inFrame.RasteriseSubRays(rim, samples);
   result.Coverage = Image<float>(camera.Width, camera.Height);
-  result.Offset = Image<Vector2d>(camera.Width, camera.Height, 1, Vector2d(0, 0));
-  std::transform(result.Front.CellId.Values.begin(), result.Front.CellId.Values.end(),
-    result.Coverage.Values.begin(), [](int cellId) { return cellId >= 0 ? 1.f : 0.f; });
-  if (samples > 1)
-  {
-    const Image<std::uint8_t> rim = RimPixels(result.Front, execution);
-    result.Rim = RasteriseSubRays(mesh, camera, rim, samples, execution);
-    execution.ForEach(camera.Height,
-      [&](std::int64_t y)
+  const auto middle = static_cast<std::uint8_t>(samples * samples / 2);
+  result.SubRay = Image<std::uint8_t>(camera.Width, camera.Height, 1, middle);
+  execution.ForEach(camera.Height,
+    [&](std::int64_t row)
+    {
+      const int y = static_cast<int>(row);
+      for (int x = 0; x < camera.Width; ++x)
       {
-        for (int x = 0; x < camera.Width; ++x)
+        result.Coverage(x, y) = result.Front.Hit(x, y) ? 1.f : 0.f;
+        if (rim(x, y))
         {
-          if (result.Rim.Index(x, static_cast<int>(y)) >= 0)
-          {
-            CoverRimPixel(result, x, static_cast<int>(y));
-          }
+          CoverRimPixel(result, x, y);
         }
-      });
-  }
+      }
+    });
   return result;
 }
 
@@ -198,6 +217,12 @@ void FillUnseen(Image<float>& color, const Image<std::uint8_t>& mask, Image<std:
 }
 }
 
+bool NeedsModel(const std::vector<View>& views, const TextureOptions& options)
+{
+  return !options.UseDepthMaps ||
+    std::any_of(views.begin(), views.end(), [](const View& view) { return view.DepthMap.Empty(); });
+}
+
 TexturedView TextureView(const TriangleMesh& mesh, const TriangleMesh* occluders,
   const std::vector<View>& views, const Camera& camera, const TextureOptions& options,
   const Execution& execution)
@@ -221,6 +246,7 @@ TexturedView TextureView(const TriangleMesh& mesh, const TriangleMesh* occluders
   Image<std::uint8_t> drawn(width, height);
   Image<std::uint8_t> seen(width, height);
   const Vector3d centre = camera.Centre();
+  const Matrix3d raysOfPixels = camera.R.transpose() * camera.K.inverse();
   execution.ForEachWith(
     height, [&] { return PhotoBlender(references, options); },
     [&](PhotoBlender& blender, std::int64_t row)
@@ -233,11 +259,10 @@ TexturedView TextureView(const TriangleMesh& mesh, const TriangleMesh* occluders
         {
           continue;
         }
-        const Vector3d point =
-          camera.Unproject(Vector2d(x, y) + buffer.Offset(x, y), buffer.Front.Depth(x, y));
+        const Vector3d ray = raysOfPixels * buffer.Place(x, y).homogeneous();
         double rgb[3];
         drawn(x, y) = 255;
-        seen(x, y) = blender.Blend(point, (point - centre).normalized(), rgb);
+        seen(x, y) = blender.Blend(centre + buffer.Front.Depth(x, y) * ray, ray.normalized(), rgb);
         if (coverage >= 0.5f)
         {
           result.Mask(x, y) = 255;

@@ -57,6 +57,9 @@ struct TexturedView
   Image<std::uint8_t> Seen;  ///< 1 = a reference sees the point, 0 = filled from the surroundings
 };
 
+/** Whether the model decides what a photograph sees, of some photograph at least. */
+bool NeedsModel(const std::vector<View>& views, const TextureOptions& options);
+
 /**
  * View-dependent image synthesis (Chia et al. 2013, section 3). The mesh lookup table gives every
  * pixel of `camera` its surface point V; its colour is
@@ -67,7 +70,8 @@ struct TexturedView
  * viewing ray. Visible means: not deeper than the depth of `mesh` and `occluders` rasterised into
  * the reference. Pixels no reference sees take the mean of their filled neighbours, layer by layer.
  *
- * @param occluders what else stands between the references and the mesh; may be null.
+ * @param occluders what else stands between the references and the mesh; may be null, and is not
+ *        looked at unless NeedsModel().
  */
 TexturedView TextureView(const TriangleMesh& mesh, const TriangleMesh* occluders,
   const std::vector<View>& views, const Camera& camera, const TextureOptions& options = {},
