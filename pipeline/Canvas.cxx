@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace novelview
 {
@@ -49,15 +50,25 @@ vtkSmartPointer<vtkImageData> ColorAlone(vtkImageData* picture)
 }
 
 //------------------------------------------------------------------------------
-Canvas::Canvas(int width, int height, const Colour& background)
+Canvas::Canvas(
+  int width, int height, const Colour& background, std::shared_ptr<OffscreenWindow> window)
   : Width(width)
   , Height(height)
-  , Window(width, height)
+  , Window(window ? std::move(window) : std::make_shared<OffscreenWindow>(width, height))
 {
-  this->Window.Window()->SetNumberOfLayers(2);
-  this->Window.Window()->SetMultiSamples(4); // smooth lines
+  this->Window->Window()->SetNumberOfLayers(2);
+  this->Window->Window()->SetMultiSamples(4); // smooth lines
   this->AddPanel({ 0, 0, width, height }, background);
   this->Overlay = this->NewRenderer({ 0, 0, width, height }, 1);
+}
+
+//------------------------------------------------------------------------------
+Canvas::~Canvas()
+{
+  for (const vtkSmartPointer<vtkRenderer>& renderer : this->Renderers)
+  {
+    this->Window->Window()->RemoveRenderer(renderer);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -69,7 +80,7 @@ vtkSmartPointer<vtkRenderer> Canvas::NewRenderer(const Box& box, int layer)
     1 - static_cast<double>(box.Y + box.Height) / this->Height,
     static_cast<double>(box.X + box.Width) / this->Width,
     1 - static_cast<double>(box.Y) / this->Height);
-  this->Window.Window()->AddRenderer(renderer);
+  this->Window->Window()->AddRenderer(renderer);
   this->Renderers.push_back(renderer);
   return renderer;
 }
@@ -162,6 +173,6 @@ void Canvas::AddText(const std::string& text, int x, int y, const TextStyle& sty
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> Canvas::Draw()
 {
-  return this->Window.Capture();
+  return this->Window->Capture();
 }
 }

@@ -13,6 +13,7 @@
 #include <vtkSmartPointer.h>
 
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -66,7 +67,12 @@ struct TextStyle
 class Canvas
 {
 public:
-  Canvas(int width, int height, const Colour& background);
+  /** Draws into the `window` of that size, or one of its own when there is none. */
+  Canvas(int width, int height, const Colour& background,
+    std::shared_ptr<OffscreenWindow> window = nullptr);
+  ~Canvas();
+  Canvas(const Canvas&) = delete;
+  Canvas& operator=(const Canvas&) = delete;
 
   /** A panel of one colour to draw a scene in. Borrowed. */
   vtkRenderer* AddPanel(const Box& box, const Colour& background);
@@ -92,7 +98,7 @@ private:
   int Height;
   std::vector<vtkSmartPointer<vtkRenderer>> Renderers;
   vtkSmartPointer<vtkRenderer> Overlay;
-  OffscreenWindow Window;
+  std::shared_ptr<OffscreenWindow> Window;
 };
 }
 

@@ -4,6 +4,7 @@
 #include "AtomicFile.h"
 #include "Error.h"
 #include "ImageFile.h"
+#include "Threads.h"
 #include "ViewAccess.h"
 
 #include <Eigen/Core>
@@ -19,6 +20,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <future>
 
 namespace novelview
 {
@@ -189,8 +191,15 @@ void RunReport::AddIteration(const IterationState& state, DesktopState* desktop)
     this->History.push_back({ row.Step, row.Iteration, row.Score->Rms, row.Score->Ssim });
   }
   const std::string name = IterationName(state.Step, state.Iteration);
-  WriteArray(this->Folder / "iterations" / (name + ".png"), state.Image, arrays::Color);
-  this->WriteMesh("iterations/" + name, state.Mesh);
+  vtkNew<vtkPolyData> mesh; // of its own, since VTK keeps traversals and bounds in the data
+  mesh->DeepCopy(state.Mesh);
+  std::future<void> files =
+    std::async(NumberOfThreads() > 1 ? std::launch::async : std::launch::deferred,
+      [&]
+      {
+        WriteArray(this->Folder / "iterations" / (name + ".png"), state.Image, arrays::Color);
+        this->WriteMesh("iterations/" + name, mesh);
+      });
   if (desktop)
   {
     desktop->Step = state.Step;
@@ -201,6 +210,7 @@ void RunReport::AddIteration(const IterationState& state, DesktopState* desktop)
     desktop->History = this->History;
     DrawDesktop(*desktop, this->Folder / "iterations" / (name + "_desktop.png"));
   }
+  files.get();
 }
 
 std::string RunReport::TableText(Stage step) const

@@ -304,13 +304,17 @@ void DrawPicturePanels(Canvas& canvas, const Box& area, const DesktopState& stat
 }
 
 //------------------------------------------------------------------------------
-void DrawDesktop(const DesktopState& state, const std::filesystem::path& path)
+void DrawDesktop(DesktopState& state, const std::filesystem::path& path)
 {
   if (!state.Mesh || !state.Views || !state.NovelImage)
   {
     throw Error("screenshot", "mesh, views and novel view are all needed");
   }
-  Canvas canvas(DesktopWidth, DesktopHeight, colours::Desktop);
+  if (!state.Window)
+  {
+    state.Window = std::make_shared<OffscreenWindow>(DesktopWidth, DesktopHeight);
+  }
+  Canvas canvas(DesktopWidth, DesktopHeight, colours::Desktop, state.Window);
   const std::string stage =
     state.Step == Stage::Full ? "non-outline" : (state.Step == Stage::Outline ? "outline" : "hull");
   AddTitleBar(canvas, DesktopWidth, state.Title,

@@ -17,11 +17,14 @@
 
 #include <filesystem>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace novelview
 {
+class OffscreenWindow;
+
 /** A rig and the object it photographs. */
 struct RigPicture
 {
@@ -66,10 +69,12 @@ struct DesktopState
   std::vector<HistoryRow> History;    ///< all rows so far
   double DisplacementRangePx = 4;     ///< end of the displacement's colour scale, novel-view pixels
   double ErrorRange = 80;             ///< end of the error's colour scale, grey levels
+  /** Made by the first screenshot; in it those that follow find OpenGL's programs compiled. */
+  std::shared_ptr<OffscreenWindow> Window;
 };
 
 /** A desktop-style screenshot, 1600 x 900. */
-void DrawDesktop(const DesktopState& state, const std::filesystem::path& path);
+void DrawDesktop(DesktopState& state, const std::filesystem::path& path);
 
 /** RMS and, where there are any, SSIM of all iterations as line charts, 1600 x 700. */
 void DrawCharts(const std::string& title, const std::vector<HistoryRow>& history,
