@@ -168,11 +168,11 @@ TEST(Rasteriser, SubRaysSeeWhatAPictureThreeTimesAsLargeSees)
   {
     for (int x = 0; x < fine.Width; ++x)
     {
-      const int pixel = rays.Index(x / 3, y / 3);
-      ASSERT_EQ(pixel >= 0, chosen(x / 3, y / 3) == 1);
-      if (pixel >= 0)
+      const bool hasRays = rays.Index(x / 3, y / 3) >= 0;
+      ASSERT_EQ(hasRays, chosen(x / 3, y / 3) == 1);
+      if (hasRays)
       {
-        const int ray = 9 * pixel + 3 * (y % 3) + x % 3;
+        const std::size_t ray = rays.First(x / 3, y / 3) + rays.Grid.Stride * (y % 3) + x % 3;
         const bool same = rays.CellId[ray] == detailed.CellId(x, y);
         different += !same;
         hits += detailed.Hit(x, y);

@@ -91,124 +91,119 @@ struct ProjectedTriangle
     return { FirstPixel(xMin - margin, width), EndPixel(xMax + margin, width),
       FirstPixel(yMin - margin, height), EndPixel(yMax + margin, height) };
   }
-
-  /** The rays that it may meet, of perSide x perSide in each pixel, numbered over the whole frame. */
-  PixelBox RayBox(int perSide, int width, int height) const
-  {
-    constexpr double rounding = 1e-6;
-    const auto fine = [perSide](const ProjectedPoint& p) {
-      return ProjectedPoint{ (p.X + 0.5) * perSide - 0.5, (p.Y + 0.5) * perSide - 0.5, 0 };
-    };
-    return ProjectedTriangle(fine(this->P[0]), fine(this->P[1]), fine(this->P[2]))
-      .Box(rounding, width * perSide, height * perSide);
-  }
 };
 
-/** Depths over a triangle. */
+/** Pictures to draw into, with up to three more pixels after the last one; null = not wanted. */
+struct Pictures
+{
+  int Stride;
+  int FirstRow; ///< of those there are
+  float* Nearest;
+  float* Farthest = nullptr;
+  int* CellId = nullptr; ///< of the nearest
+};
+
+/** Draws a triangle's depths, four places at once. */
 class TriangleDepth
 {
+  using Doubles [[gnu::vector_size(32)]] = double;
+  using Bools [[gnu::vector_size(32)]] = std::int64_t;
+  using Floats [[gnu::vector_size(16)]] = float;
+  using Ints [[gnu::vector_size(16)]] = std::int32_t;
+
 public:
-  explicit TriangleDepth(const ProjectedTriangle& triangle)
-    : TriangleDepth(triangle.P[0], triangle.P[1], triangle.P[2], triangle.Area > 0 ? 1 : -1)
+  TriangleDepth(const ProjectedTriangle& triangle, int cellId)
+    : TriangleDepth(triangle.P[0], triangle.P[1], triangle.P[2], triangle.Area > 0 ? 1 : -1, cellId)
   {
   }
 
-  /** The places (x, y) of one y. */
-  class Row
+  /** Draws the pixels of a box. */
+  [[gnu::always_inline]] inline void Draw(const PixelBox& box, const Pictures& to) const
   {
-  public:
-    Row(const TriangleDepth& depths, double y)
-      : Depths(depths)
-      , Parts{ depths.Edges[0].Row(y), depths.Edges[1].Row(y), depths.Edges[2].Row(y) }
-    {
-    }
-
-    /** The depth at x; infinity where the triangle does not cover it. */
-    float At(double x) const
-    {
-      const double w0 = this->Depths.Edges[0].A * x + this->Parts[0];
-      const double w1 = this->Depths.Edges[1].A * x + this->Parts[1];
-      const double w2 = this->Depths.Edges[2].A * x + this->Parts[2];
-      if (!(w0 >= 0 && w1 >= 0 && w2 >= 0))
-      {
-        return NoDepth;
-      }
-      const double* inverse = this->Depths.InverseDepth;
-      return static_cast<float>(
-        (w0 + w1 + w2) / (w0 * inverse[0] + w1 * inverse[1] + w2 * inverse[2]));
-    }
-
-  private:
-    const TriangleDepth& Depths;
-    const double Parts[3];
-  };
-
-  /** Pictures to draw into, with up to three more pixels after the last one; null = not wanted. */
-  struct Pictures
-  {
-    int Stride;
-    float* Nearest;
-    float* Farthest = nullptr;
-    int* CellId = nullptr; ///< of the nearest
-  };
-
-  /** Draws the pixels of a box, four at once. */
-  [[gnu::always_inline]] inline void Draw(
-    const PixelBox& box, const Pictures& to, int cellId = -1) const
-  {
-    using Doubles [[gnu::vector_size(32)]] = double;
-    using Floats [[gnu::vector_size(16)]] = float;
-    using Ints [[gnu::vector_size(16)]] = std::int32_t;
     for (int y = box.YBegin; y < box.YEnd; ++y)
     {
-      const double row0 = this->Edges[0].Row(y);
-      const double row1 = this->Edges[1].Row(y);
-      const double row2 = this->Edges[2].Row(y);
+      const Row row(*this, y);
       for (int first = box.XBegin; first < box.XEnd; first += 4)
       {
         const Doubles x = static_cast<double>(first) + Doubles{ 0, 1, 2, 3 };
-        const Doubles w0 = this->Edges[0].A * x + row0;
-        const Doubles w1 = this->Edges[1].A * x + row1;
-        const Doubles w2 = this->Edges[2].A * x + row2;
-        const Floats depth = __builtin_convertvector((w0 + w1 + w2) /
-            (w0 * this->InverseDepth[0] + w1 * this->InverseDepth[1] + w2 * this->InverseDepth[2]),
-          Floats);
-        const auto covered = __builtin_convertvector(
-          (w0 >= 0) & (w1 >= 0) & (w2 >= 0) & (x < static_cast<double>(box.XEnd)), Ints);
-        const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(y) * to.Stride + first;
-        Floats before;
-        std::memcpy(&before, to.Nearest + at, sizeof(before));
-        // Triangles come in the order of their ids, so "nearer" alone lets the lowest id win.
-        const Ints nearer = covered & (depth < before);
-        Floats after = nearer ? depth : before;
-        std::memcpy(to.Nearest + at, &after, sizeof(after));
-        if (to.CellId)
-        {
-          Ints ids;
-          std::memcpy(&ids, to.CellId + at, sizeof(ids));
-          ids = nearer ? Ints{} + cellId : ids;
-          std::memcpy(to.CellId + at, &ids, sizeof(ids));
-        }
-        if (to.Farthest)
-        {
-          std::memcpy(&before, to.Farthest + at, sizeof(before));
-          after = (covered & (depth > before)) ? depth : before;
-          std::memcpy(to.Farthest + at, &after, sizeof(after));
-        }
+        const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(y - to.FirstRow) * to.Stride + first;
+        this->DrawFour(row, x, x < static_cast<double>(box.XEnd), to, at);
+      }
+    }
+  }
+
+  /** Draws the sub-rays of a pixel. */
+  [[gnu::always_inline]] inline void Draw(
+    int x, int y, const SubRayGrid& grid, const Pictures& to, std::ptrdiff_t at) const
+  {
+    for (int j = 0; j < grid.PerSide; ++j)
+    {
+      const Row row(*this, y + grid.Offset[j]);
+      for (int i = 0; i < grid.Stride; i += 4)
+      {
+        Doubles offset;
+        std::memcpy(&offset, &grid.Offset[i], sizeof(offset));
+        this->DrawFour(row, x + offset, Bools{} == 0, to, at + j * grid.Stride + i);
       }
     }
   }
 
 private:
-  TriangleDepth(
-    const ProjectedPoint& a, const ProjectedPoint& b, const ProjectedPoint& c, double sign)
+  TriangleDepth(const ProjectedPoint& a, const ProjectedPoint& b, const ProjectedPoint& c,
+    double sign, int cellId)
     : Edges{ { b, c, sign }, { c, a, sign }, { a, b, sign } }
     , InverseDepth{ a.InverseDepth, b.InverseDepth, c.InverseDepth }
+    , CellId(cellId)
   {
+  }
+
+  /** What the edge functions have in common over the places of one y. */
+  struct Row
+  {
+    double W0, W1, W2;
+
+    Row(const TriangleDepth& triangle, double y)
+      : W0(triangle.Edges[0].Row(y))
+      , W1(triangle.Edges[1].Row(y))
+      , W2(triangle.Edges[2].Row(y))
+    {
+    }
+  };
+
+  [[gnu::always_inline]] inline void DrawFour(
+    const Row& row, Doubles x, Bools wanted, const Pictures& to, std::ptrdiff_t at) const
+  {
+    const Doubles w0 = this->Edges[0].A * x + row.W0;
+    const Doubles w1 = this->Edges[1].A * x + row.W1;
+    const Doubles w2 = this->Edges[2].A * x + row.W2;
+    const Floats depth = __builtin_convertvector((w0 + w1 + w2) /
+        (w0 * this->InverseDepth[0] + w1 * this->InverseDepth[1] + w2 * this->InverseDepth[2]),
+      Floats);
+    const Ints covered = __builtin_convertvector((w0 >= 0) & (w1 >= 0) & (w2 >= 0) & wanted, Ints);
+    Floats before;
+    std::memcpy(&before, to.Nearest + at, sizeof(before));
+    // Triangles come in the order of their ids, so "nearer" alone lets the lowest id win.
+    const Ints nearer = covered & (depth < before);
+    Floats after = nearer ? depth : before;
+    std::memcpy(to.Nearest + at, &after, sizeof(after));
+    if (to.CellId)
+    {
+      Ints ids;
+      std::memcpy(&ids, to.CellId + at, sizeof(ids));
+      ids = nearer ? Ints{} + this->CellId : ids;
+      std::memcpy(to.CellId + at, &ids, sizeof(ids));
+    }
+    if (to.Farthest)
+    {
+      std::memcpy(&before, to.Farthest + at, sizeof(before));
+      after = (covered & (depth > before)) ? depth : before;
+      std::memcpy(to.Farthest + at, &after, sizeof(after));
+    }
   }
 
   EdgeFunction Edges[3]; ///< opposite to each corner
   double InverseDepth[3];
+  int CellId;
 };
 
 std::vector<ProjectedPoint> ProjectPoints(
@@ -226,7 +221,6 @@ std::vector<ProjectedPoint> ProjectPoints(
     });
   return points;
 }
-
 }
 
 /** The triangles of a mesh, projected and sorted into bands of rows that are drawn in parallel. */
@@ -243,20 +237,21 @@ public:
     execution.ForEach(Parts,
       [&](std::int64_t part)
       {
-        std::vector<std::vector<Entry>>& band = this->Bands[part];
-        band.resize(this->NumberOfBands());
+        std::vector<std::vector<Entry>>& bands = this->Bands[part];
+        bands.resize(this->NumberOfBands());
         const std::size_t count = mesh.Triangles.size();
         for (std::size_t cellId = part * count / Parts; cellId < (part + 1) * count / Parts;
              ++cellId)
         {
-          this->Sort(static_cast<int>(cellId), band);
+          this->Sort(static_cast<int>(cellId), bands);
         }
       });
   }
 
   /**
    * Calls draw(cellId, box) for every triangle of a band in the order of their ids; box has the
-   * pixels of the band of which the triangle may cover a part.
+   * pixels of the band of which the triangle may cover a part. A `draw` that is to be compiled with
+   * its caller's clones must be inlined.
    */
   template <class Draw>
   [[gnu::always_inline]] inline void ForBand(std::int64_t band, const Draw& draw) const
@@ -268,6 +263,13 @@ public:
         draw(entry.CellId, entry.Box);
       }
     }
+  }
+
+  /** Calls draw(scratch, band) for all, in parallel; make() makes the scratch of a thread. */
+  template <class Make, class Draw>
+  void ForEachWith(const Make& make, const Draw& draw) const
+  {
+    this->Run.ForEachWith(this->NumberOfBands(), make, draw);
   }
 
   /** Calls draw(band) for all, in parallel. */
@@ -329,17 +331,15 @@ private:
 
 namespace
 {
-NOVELVIEW_CLONES void DrawBand(
-  const TriangleBands& bands, std::int64_t band, const TriangleDepth::Pictures& to)
+NOVELVIEW_CLONES void DrawBand(const TriangleBands& bands, std::int64_t band, const Pictures& to)
 {
-  bands.ForBand(band,
-    [&](int cellId, const PixelBox& around)
-    {
+  bands.ForBand(
+    band, [&](int cellId, const PixelBox& around) __attribute__((always_inline)) {
       const ProjectedTriangle triangle = bands.Projected(cellId);
       PixelBox box = triangle.Box(0, bands.Width, bands.Height);
       box.YBegin = std::max(box.YBegin, around.YBegin);
       box.YEnd = std::min(box.YEnd, around.YEnd);
-      TriangleDepth(triangle).Draw(box, to, cellId);
+      TriangleDepth(triangle, cellId).Draw(box, to);
     });
 }
 
@@ -351,7 +351,8 @@ NOVELVIEW_CLONES void DrawTriangles(const std::vector<Eigen::Vector3i>& triangle
     const ProjectedTriangle triangle(points[t[0]], points[t[1]], points[t[2]]);
     if (triangle.Drawn())
     {
-      TriangleDepth(triangle).Draw(triangle.Box(0, width, height), { width, nearest, farthest });
+      TriangleDepth(triangle, -1)
+        .Draw(triangle.Box(0, width, height), { width, 0, nearest, farthest });
     }
   }
 }
@@ -390,19 +391,24 @@ ItemBuffer MeshInFrame::Rasterise() const
 {
   const int width = this->Bands->Width;
   const int height = this->Bands->Height;
-  // Wider by what Draw() may touch after a row, where another band's may begin.
-  const int stride = width + 3;
-  ItemBuffer wide{ Image<int>(stride, height, 1, -1), Image<float>(stride, height, 1, NoDepth) };
   ItemBuffer buffer{ Image<int>(width, height), Image<float>(width, height) };
-  this->Bands->ForEach(
-    [&](std::int64_t band)
+  // A band is drawn where it stays in the cache, wider by what Draw() may touch after a row.
+  const auto makeBand = [stride = width + 3] {
+    return ItemBuffer{ Image<int>(stride, BandRows), Image<float>(stride, BandRows) };
+  };
+  this->Bands->ForEachWith(makeBand,
+    [&](ItemBuffer& drawn, std::int64_t band)
     {
+      std::fill(drawn.CellId.Values.begin(), drawn.CellId.Values.end(), -1);
+      std::fill(drawn.Depth.Values.begin(), drawn.Depth.Values.end(), NoDepth);
+      const int begin = TriangleBands::RowBegin(band);
       DrawBand(*this->Bands, band,
-        { stride, wide.Depth.Values.data(), nullptr, wide.CellId.Values.data() });
-      for (int y = TriangleBands::RowBegin(band); y < this->Bands->RowEnd(band); ++y)
+        { drawn.Depth.Width, begin, drawn.Depth.Values.data(), nullptr,
+          drawn.CellId.Values.data() });
+      for (int y = begin; y < this->Bands->RowEnd(band); ++y)
       {
-        std::copy_n(&wide.CellId(0, y), width, &buffer.CellId(0, y));
-        std::copy_n(&wide.Depth(0, y), width, &buffer.Depth(0, y));
+        std::copy_n(&drawn.CellId(0, y - begin), width, &buffer.CellId(0, y));
+        std::copy_n(&drawn.Depth(0, y - begin), width, &buffer.Depth(0, y));
       }
     });
   return buffer;
@@ -429,92 +435,78 @@ DepthRange RasteriseRange(const TriangleMesh& mesh, const Camera& camera)
 
 namespace
 {
-/** Tells quickly that no pixel of a box is marked. */
-class MarkedTiles
+/** Whether a box has a chosen pixel. */
+[[gnu::always_inline]] inline bool AnyIn(const PixelBox& box, const Image<std::uint8_t>& chosen)
 {
-public:
-  explicit MarkedTiles(const Image<std::uint8_t>& marks)
-    : Tiles((marks.Width >> Shift) + 1, (marks.Height >> Shift) + 1)
+  std::uint8_t any = 0;
+  for (int y = box.YBegin; y < box.YEnd; ++y)
   {
-    for (int y = 0; y < marks.Height; ++y)
+    for (int x = box.XBegin; x < box.XEnd; ++x)
     {
-      for (int x = 0; x < marks.Width; ++x)
-      {
-        this->Tiles(x >> Shift, y >> Shift) |= marks(x, y);
-      }
+      any |= chosen(x, y);
     }
   }
+  return any != 0;
+}
 
-  /** Whether a tile that the box touches has a marked pixel. */
-  bool AnyIn(const PixelBox& box) const
-  {
-    std::uint8_t any = 0;
-    for (int y = box.YBegin >> Shift; y <= (box.YEnd - 1) >> Shift; ++y)
-    {
-      for (int x = box.XBegin >> Shift; x <= (box.XEnd - 1) >> Shift; ++x)
+NOVELVIEW_CLONES void DrawBandSubRays(
+  const TriangleBands& bands, std::int64_t band, const Image<std::uint8_t>& chosen, SubRays& rays)
+{
+  const Pictures to{ 0, 0, rays.Depth.data(), nullptr, rays.CellId.data() };
+  bands.ForBand(
+    band, [&](int cellId, const PixelBox& box) __attribute__((always_inline)) {
+      if (!AnyIn(box, chosen)) // as is usual
       {
-        any |= this->Tiles(x, y);
+        return;
       }
-    }
-    return any != 0;
-  }
-
-private:
-  static constexpr int Shift = 3; ///< tiles of 8 x 8 pixels
-  Image<std::uint8_t> Tiles;
-};
+      const TriangleDepth triangle(bands.Projected(cellId), cellId);
+      for (int y = box.YBegin; y < box.YEnd; ++y)
+      {
+        for (int x = box.XBegin; x < box.XEnd; ++x)
+        {
+          if (chosen(x, y))
+          {
+            triangle.Draw(x, y, rays.Grid, to, rays.First(x, y));
+          }
+        }
+      }
+    });
+}
 }
 
 SubRays MeshInFrame::RasteriseSubRays(const Image<std::uint8_t>& chosen, int perSide) const
 {
-  SubRays rays;
-  rays.PerSide = perSide;
-  rays.Index = Image<int>(chosen.Width, chosen.Height, 1, -1);
-  int count = 0;
+  SubRays rays(chosen, perSide);
+  this->Bands->ForEach(
+    [&](std::int64_t band) { DrawBandSubRays(*this->Bands, band, chosen, rays); });
+  return rays;
+}
+
+SubRayGrid::SubRayGrid(int perSide)
+  : PerSide(perSide)
+  , Stride((perSide + 3) / 4 * 4)
+  , Offset(this->Stride, std::numeric_limits<double>::quiet_NaN())
+{
+  for (int i = 0; i < perSide; ++i)
+  {
+    this->Offset[i] = (i + 0.5) / perSide - 0.5;
+  }
+}
+
+SubRays::SubRays(const Image<std::uint8_t>& chosen, int perSide)
+  : Grid(perSide)
+  , Index(chosen.Width, chosen.Height, 1, -1)
+{
   for (std::size_t i = 0; i < chosen.Values.size(); ++i)
   {
-    rays.Index.Values[i] = chosen.Values[i] ? count++ : -1;
+    if (chosen.Values[i])
+    {
+      this->Index.Values[i] = this->Pixels++;
+    }
   }
-  const std::size_t perPixel = static_cast<std::size_t>(perSide) * perSide;
-  rays.CellId.assign(count * perPixel, -1);
-  rays.Depth.assign(count * perPixel, NoDepth);
-  const MarkedTiles tiles(chosen);
-  const auto draw = [&](int cellId, const PixelBox& box)
-  {
-    if (!tiles.AnyIn(box)) // most triangles cover no chosen pixel
-    {
-      return;
-    }
-    const ProjectedTriangle triangle = this->Bands->Projected(cellId);
-    const PixelBox fine = triangle.RayBox(perSide, chosen.Width, chosen.Height);
-    const TriangleDepth depths(triangle);
-    const int yEnd = std::min(fine.YEnd, box.YEnd * perSide);
-    for (int yFine = std::max(fine.YBegin, box.YBegin * perSide); yFine < yEnd; ++yFine)
-    {
-      const int y = yFine / perSide;
-      const int j = yFine % perSide;
-      const TriangleDepth::Row row(depths, y + rays.Offset(j));
-      for (int x = box.XBegin; x < box.XEnd; ++x)
-      {
-        if (!chosen(x, y))
-        {
-          continue;
-        }
-        const std::size_t first = rays.Index(x, y) * perPixel + j * perSide;
-        const int end = std::min(perSide, fine.XEnd - x * perSide);
-        for (int i = std::max(0, fine.XBegin - x * perSide); i < end; ++i)
-        {
-          if (const float depth = row.At(x + rays.Offset(i)); depth < rays.Depth[first + i])
-          {
-            rays.Depth[first + i] = depth;
-            rays.CellId[first + i] = cellId;
-          }
-        }
-      }
-    }
-  };
-  this->Bands->ForEach([&](std::int64_t band) { this->Bands->ForBand(band, draw); });
-  return rays;
+  const std::size_t size = static_cast<std::size_t>(this->Pixels) * perSide * this->Grid.Stride;
+  this->CellId.assign(size, -1);
+  this->Depth.assign(size, NoDepth);
 }
 
 namespace
@@ -529,25 +521,26 @@ int NearestPixel(double value)
 /** The deepest of the 3x3 pixels around one, of those inside the image; 0 = none has a depth. */
 float DeepestAround(const ImageRef<const float>& depth, int x, int y)
 {
-  float deepest = 0;
-  const auto take = [&deepest](float value)
-  { deepest = std::max(deepest, value < NoDepth ? value : 0.f); };
-  if (depth.Contains(x - 1, y - 1) && depth.Contains(x + 1, y + 1))
+  using Floats [[gnu::vector_size(16)]] = float;
+  if (depth.Contains(x - 1, y - 1) && depth.Contains(x + 2, y + 1)) // a row is read as four
   {
+    Floats deepest{};
     for (int j = -1; j <= 1; ++j)
     {
-      const float* row = depth.Pixel(x, y + j);
-      take(row[-1]);
-      take(row[0]);
-      take(row[1]);
+      Floats row;
+      std::memcpy(&row, depth.Pixel(x - 1, y + j), sizeof(row));
+      row = row < NoDepth ? row : Floats{};
+      deepest = deepest > row ? deepest : row;
     }
-    return deepest;
+    return std::max({ deepest[0], deepest[1], deepest[2] });
   }
+  float deepest = 0;
   for (int j = y - 1; j <= y + 1; ++j)
   {
     for (int i = x - 1; i <= x + 1; ++i)
     {
-      take(depth.Contains(i, j) ? depth(i, j) : 0.f);
+      const float value = depth.Contains(i, j) ? depth(i, j) : 0;
+      deepest = std::max(deepest, value < NoDepth ? value : 0.f);
     }
   }
   return deepest;

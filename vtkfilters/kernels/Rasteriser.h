@@ -56,17 +56,35 @@ DepthRange RasteriseRange(const TriangleMesh& mesh, const Camera& camera);
  */
 double DepthBehind(const ImageRef<const float>& depth, const Eigen::Vector2d& pixel, double z);
 
-/** What an evenly spaced grid of rays through each of some pixels hits. */
+/** An evenly spaced grid of rays through a pixel, PerSide x PerSide. */
+struct SubRayGrid
+{
+  int PerSide;
+  int Stride; ///< PerSide up to a multiple of four; the rays beyond hit nothing
+  /** Where ray i of a row, or row i, lies from the pixel's centre, pixels; Stride of them. */
+  std::vector<double> Offset;
+
+  explicit SubRayGrid(int perSide);
+};
+
+/** What a grid of rays through each of some pixels hits. */
 struct SubRays
 {
-  int PerSide = 1;
-  Image<int> Index; ///< which of the pixels with sub-rays a pixel is, -1 = none of them
-  /** PerSide x PerSide per pixel, row by row: front triangle (-1 = background) and its depth. */
+  SubRayGrid Grid;
+  int Pixels = 0;   ///< how many have sub-rays
+  Image<int> Index; ///< which of them a pixel is, -1 = none
+  /** From First() on, PerSide rows of Stride: front triangle (-1 = background) and its depth. */
   std::vector<int> CellId;
   std::vector<float> Depth;
 
-  /** Where sub-ray i of a row, or row i of sub-rays, lies from the pixel's centre, pixels. */
-  double Offset(int i) const { return (i + 0.5) / this->PerSide - 0.5; }
+  /** Sub-rays through the pixels that are not 0 in `chosen`; they hit nothing yet. */
+  SubRays(const Image<std::uint8_t>& chosen, int perSide);
+
+  /** The first sub-ray of a pixel that has some. */
+  std::size_t First(int x, int y) const
+  {
+    return static_cast<std::size_t>(this->Index(x, y)) * this->Grid.PerSide * this->Grid.Stride;
+  }
 };
 
 /** A mesh projected into a camera's frame once, to be rasterised in several ways. */

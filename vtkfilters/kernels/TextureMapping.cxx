@@ -44,6 +44,14 @@ std::vector<BlendReference> ReferencesFor(const TriangleMesh& mesh, const Triang
     views, &axis, options, execution);
 }
 
+/** How much of a pixel the mesh covers, and which sub-ray gave the pixel its depth. */
+struct RimCoverage
+{
+  float Covered; ///< 0 to 1
+  int Column;
+  int Row;
+};
+
 /**
  * Item buffer with the share of each pixel that the mesh covers. A pixel whose centre is missed but
  * of which half is covered takes the hit sub-ray nearest the centre.
@@ -51,16 +59,26 @@ std::vector<BlendReference> ReferencesFor(const TriangleMesh& mesh, const Triang
 struct CoveredBuffer
 {
   ItemBuffer Front;
-  Image<float> Coverage;      ///< 0 to 1
-  SubRays Rim;                ///< through the pixels next to which another is not hit as they are
-  Image<std::uint8_t> SubRay; ///< the sub-ray whose depth a pixel has
+  SubRays Rays;                 ///< through the pixels next to which another is not hit as they are
+  std::vector<RimCoverage> Rim; ///< of those pixels
+
+  /** How much of a pixel is covered, 0 to 1. */
+  float Covered(int x, int y) const
+  {
+    const int rim = this->Rays.Index(x, y);
+    return rim >= 0 ? this->Rim[rim].Covered : (this->Front.Hit(x, y) ? 1.f : 0.f);
+  }
 
   /** The point of a pixel's square that its depth belongs to. */
   Vector2d Place(int x, int y) const
   {
-    const int k = this->SubRay(x, y);
-    return { x + this->Rim.Offset(k % this->Rim.PerSide),
-      y + this->Rim.Offset(k / this->Rim.PerSide) };
+    const int rim = this->Rays.Index(x, y);
+    if (rim < 0)
+    {
+      return Vector2d(x, y);
+    }
+    const RimCoverage& found = this->Rim[rim];
+    return { x + this->Rays.Grid.Offset[found.Column], y + this->Rays.Grid.Offset[found.Row] };
   }
 };
 
@@ -116,52 +134,53 @@ Image<std::uint8_t> RimPixels(const ItemBuffer& front, const Execution& executio
 /** Settles a rim pixel by its sub-rays. */
 void CoverRimPixel(CoveredBuffer& buffer, int x, int y)
 {
-  const SubRays& rays = buffer.Rim;
-  const int perPixel = rays.PerSide * rays.PerSide;
-  const int middle = rays.PerSide / 2;
-  const std::size_t first = static_cast<std::size_t>(rays.Index(x, y)) * perPixel;
+  const SubRays& rays = buffer.Rays;
+  const int perSide = rays.Grid.PerSide;
+  const int middle = perSide / 2;
+  RimCoverage& rim = buffer.Rim[rays.Index(x, y)];
   int hits = 0;
   int nearest = std::numeric_limits<int>::max();
   buffer.Front.CellId(x, y) = -1;
-  for (int k = 0; k < perPixel; ++k)
+  for (int row = 0; row < perSide; ++row)
   {
-    if (rays.CellId[first + k] < 0)
+    const std::size_t first = rays.First(x, y) + row * rays.Grid.Stride;
+    for (int column = 0; column < perSide; ++column)
     {
-      continue;
-    }
-    ++hits;
-    const int i = k % rays.PerSide - middle;
-    const int j = k / rays.PerSide - middle;
-    if (i * i + j * j < nearest)
-    {
-      nearest = i * i + j * j;
-      buffer.Front.CellId(x, y) = rays.CellId[first + k];
-      buffer.Front.Depth(x, y) = rays.Depth[first + k];
-      buffer.SubRay(x, y) = static_cast<std::uint8_t>(k);
+      if (rays.CellId[first + column] < 0)
+      {
+        continue;
+      }
+      ++hits;
+      const int i = column - middle;
+      const int j = row - middle;
+      if (i * i + j * j < nearest)
+      {
+        nearest = i * i + j * j;
+        buffer.Front.CellId(x, y) = rays.CellId[first + column];
+        buffer.Front.Depth(x, y) = rays.Depth[first + column];
+        rim.Column = column;
+        rim.Row = row;
+      }
     }
   }
-  buffer.Coverage(x, y) = static_cast<float>(hits) / perPixel;
+  rim.Covered = static_cast<float>(hits) / (perSide * perSide);
 }
 
 CoveredBuffer RasteriseCovered(
   const TriangleMesh& mesh, const Camera& camera, int samples, const Execution& execution)
 {
   const MeshInFrame inFrame(mesh, camera, execution);
-  CoveredBuffer result;
-  result.Front = inFrame.Rasterise();
-  const Image<std::uint8_t> rim = samples > 1 ? RimPixels(result.Front, execution)
-                                              : Image<std::uint8_t>(camera.Width, camera.Height);
-  result.Rim = inFrame.RasteriseSubRays(rim, samples);
-  result.Coverage = Image<float>(camera.Width, camera.Height);
-  const auto middle = static_cast<std::uint8_t>(samples * samples / 2);
-  result.SubRay = Image<std::uint8_t>(camera.Width, camera.Height, 1, middle);
+  ItemBuffer front = inFrame.Rasterise();
+  const Image<std::uint8_t> rim =
+    samples > 1 ? RimPixels(front, execution) : Image<std::uint8_t>(camera.Width, camera.Height);
+  CoveredBuffer result{ std::move(front), inFrame.RasteriseSubRays(rim, samples), {} };
+  result.Rim.resize(result.Rays.Pixels);
   execution.ForEach(camera.Height,
     [&](std::int64_t row)
     {
       const int y = static_cast<int>(row);
       for (int x = 0; x < camera.Width; ++x)
       {
-        result.Coverage(x, y) = result.Front.Hit(x, y) ? 1.f : 0.f;
         if (rim(x, y))
         {
           CoverRimPixel(result, x, y);
@@ -171,24 +190,15 @@ CoveredBuffer RasteriseCovered(
   return result;
 }
 
-/** Fills what no reference sees with the mean of its neighbours, a layer at a time. */
-void FillUnseen(Image<float>& color, const Image<std::uint8_t>& mask, Image<std::uint8_t> known)
+using PixelList = std::vector<std::pair<int, int>>;
+
+/** Gives `open` pixels, which no reference sees, the mean of their neighbours, a layer at a time. */
+void FillUnseen(const PixelList& open, Image<float>& color, Image<std::uint8_t>& known)
 {
-  std::vector<std::pair<int, int>> open;
-  for (int y = 0; y < mask.Height; ++y)
-  {
-    for (int x = 0; x < mask.Width; ++x)
-    {
-      if (mask(x, y) && !known(x, y))
-      {
-        open.emplace_back(x, y);
-      }
-    }
-  }
   const auto knownRef = known.Ref();
   // An island no reference sees any pixel of stays black, and flagged.
   FillInLayers(
-    std::move(open),
+    open,
     [&](const std::pair<int, int>& pixel)
     {
       const auto [x, y] = pixel;
@@ -215,6 +225,105 @@ void FillUnseen(Image<float>& color, const Image<std::uint8_t>& mask, Image<std:
     },
     [&](const std::pair<int, int>& pixel) { known(pixel.first, pixel.second) = 1; });
 }
+
+/** A colour in whole steps; black shines through by what is not covered. */
+void StoreColor(const float color[3], float covered, std::uint8_t* rgb)
+{
+  for (int channel = 0; channel < 3; ++channel)
+  {
+    const double value = std::clamp(color[channel] * covered, 0.f, 255.f);
+    rgb[channel] = static_cast<std::uint8_t>(value + 0.5);
+  }
+}
+
+/** The picture while it is made. */
+struct PictureInWork
+{
+  TexturedView& Result;
+  Image<float> Color;
+  Image<std::uint8_t> Known;   ///< whether a pixel has its colour
+  std::vector<PixelList> Open; ///< in each row, the pixels that are drawn but not seen
+
+  explicit PictureInWork(TexturedView& result)
+    : Result(result)
+    , Color(result.Mask.Width, result.Mask.Height, 3)
+    , Known(result.Mask.Width, result.Mask.Height)
+    , Open(result.Mask.Height)
+  {
+  }
+};
+
+TexturedView EmptyView(int width, int height)
+{
+  TexturedView view;
+  view.Color = Image<std::uint8_t>(width, height, 3);
+  view.Mask = Image<std::uint8_t>(width, height);
+  view.Depth = Image<float>(width, height);
+  view.CellId = Image<int>(width, height, 1, -1);
+  view.Seen = Image<std::uint8_t>(width, height);
+  return view;
+}
+
+/** Blends what the references see. */
+void BlendPixels(const CoveredBuffer& buffer, const std::vector<BlendReference>& references,
+  const Camera& camera, const TextureOptions& options, const Execution& execution,
+  PictureInWork& picture)
+{
+  TexturedView& result = picture.Result;
+  const Vector3d centre = camera.Centre();
+  const Matrix3d raysOfPixels = camera.R.transpose() * camera.K.inverse();
+  execution.ForEachWith(
+    camera.Height, [&] { return PhotoBlender(references, options); },
+    [&](PhotoBlender& blender, std::int64_t row)
+    {
+      const int y = static_cast<int>(row);
+      for (int x = 0; x < camera.Width; ++x)
+      {
+        const float covered = buffer.Covered(x, y);
+        if (covered < 0.5f && !(options.SoftRim && covered > 0))
+        {
+          continue;
+        }
+        const float depth = buffer.Front.Depth(x, y);
+        const Vector3d ray = raysOfPixels * buffer.Place(x, y).homogeneous();
+        double rgb[3];
+        const bool seen = blender.Blend(centre + depth * ray, ray.normalized(), rgb);
+        float* color = &picture.Color(x, y);
+        std::copy_n(rgb, 3, color);
+        picture.Known(x, y) = seen;
+        if (seen)
+        {
+          StoreColor(color, covered, &result.Color(x, y));
+        }
+        else
+        {
+          picture.Open[y].emplace_back(x, y);
+        }
+        if (covered >= 0.5f)
+        {
+          result.Mask(x, y) = 255;
+          result.Depth(x, y) = depth;
+          result.CellId(x, y) = buffer.Front.CellId(x, y);
+          result.Seen(x, y) = seen;
+        }
+      }
+    });
+}
+
+/** Gives colours to the pixels that are drawn but that no reference sees. */
+void FillPixels(const CoveredBuffer& buffer, PictureInWork& picture)
+{
+  PixelList open;
+  for (const PixelList& row : picture.Open)
+  {
+    open.insert(open.end(), row.begin(), row.end());
+  }
+  FillUnseen(open, picture.Color, picture.Known);
+  for (const auto& [x, y] : open)
+  {
+    StoreColor(&picture.Color(x, y), buffer.Covered(x, y), &picture.Result.Color(x, y));
+  }
+}
 }
 
 bool NeedsModel(const std::vector<View>& views, const TextureOptions& options)
@@ -233,64 +342,11 @@ TexturedView TextureView(const TriangleMesh& mesh, const TriangleMesh* occluders
     ReferencesFor(mesh, occluders, views, camera, options, execution);
   execution.Report(0.5);
 
-  const int width = camera.Width;
-  const int height = camera.Height;
-  TexturedView result;
-  result.Color = Image<std::uint8_t>(width, height, 3);
-  result.Mask = Image<std::uint8_t>(width, height);
-  result.Depth = Image<float>(width, height);
-  result.CellId = Image<int>(width, height, 1, -1);
-  result.Seen = Image<std::uint8_t>(width, height);
-  Image<float> color(width, height, 3);
-  // Where there is something to draw: the mask and, with a soft rim, what is covered by less.
-  Image<std::uint8_t> drawn(width, height);
-  Image<std::uint8_t> seen(width, height);
-  const Vector3d centre = camera.Centre();
-  const Matrix3d raysOfPixels = camera.R.transpose() * camera.K.inverse();
-  execution.ForEachWith(
-    height, [&] { return PhotoBlender(references, options); },
-    [&](PhotoBlender& blender, std::int64_t row)
-    {
-      const int y = static_cast<int>(row);
-      for (int x = 0; x < width; ++x)
-      {
-        const float coverage = buffer.Coverage(x, y);
-        if (coverage < 0.5f && !(options.SoftRim && coverage > 0))
-        {
-          continue;
-        }
-        const Vector3d ray = raysOfPixels * buffer.Place(x, y).homogeneous();
-        double rgb[3];
-        drawn(x, y) = 255;
-        seen(x, y) = blender.Blend(centre + buffer.Front.Depth(x, y) * ray, ray.normalized(), rgb);
-        if (coverage >= 0.5f)
-        {
-          result.Mask(x, y) = 255;
-          result.Depth(x, y) = buffer.Front.Depth(x, y);
-          result.CellId(x, y) = buffer.Front.CellId(x, y);
-          result.Seen(x, y) = seen(x, y);
-        }
-        for (int channel = 0; channel < 3; ++channel)
-        {
-          color(x, y, channel) = static_cast<float>(rgb[channel]);
-        }
-      }
-    });
+  TexturedView result = EmptyView(camera.Width, camera.Height);
+  PictureInWork picture(result);
+  BlendPixels(buffer, references, camera, options, execution, picture);
   execution.Report(0.9);
-  FillUnseen(color, drawn, std::move(seen));
-  execution.ForEach(height,
-    [&](std::int64_t y)
-    {
-      for (int x = 0; x < width; ++x)
-      {
-        for (int channel = 0; channel < 3 && drawn(x, y); ++channel)
-        {
-          const float value = color(x, y, channel) * buffer.Coverage(x, y);
-          result.Color(x, y, channel) =
-            static_cast<std::uint8_t>(std::clamp(std::lround(value), 0L, 255L));
-        }
-      }
-    });
+  FillPixels(buffer, picture);
   execution.Report(1);
   return result;
 }
