@@ -57,7 +57,6 @@ Canvas::Canvas(
   , Window(window ? std::move(window) : std::make_shared<OffscreenWindow>(width, height))
 {
   this->Window->Window()->SetNumberOfLayers(2);
-  this->Window->Window()->SetMultiSamples(4); // smooth lines
   this->AddPanel({ 0, 0, width, height }, background);
   this->Overlay = this->NewRenderer({ 0, 0, width, height }, 1);
 }
@@ -90,6 +89,7 @@ vtkRenderer* Canvas::AddPanel(const Box& box, const Colour& background)
 {
   vtkSmartPointer<vtkRenderer> renderer = this->NewRenderer(box, 0);
   renderer->SetBackground(background[0], background[1], background[2]);
+  renderer->UseFXAAOn(); // smooth lines, in half the time of four samples per pixel
   return renderer;
 }
 
@@ -111,6 +111,7 @@ Box Canvas::AddPicture(vtkImageData* picture, const Box& box)
   actor->SetInputData(pixels);
   actor->InterpolateOff();
   vtkRenderer* renderer = this->AddPanel(fitted, colours::Panel);
+  renderer->UseFXAAOff(); // every pixel as it is
   renderer->AddActor(actor);
   vtkCamera* camera = renderer->GetActiveCamera();
   camera->ParallelProjectionOn();
