@@ -2,6 +2,7 @@
 """Markdown and CSV of what the benchmarks measured."""
 import csv
 import re
+import statistics
 
 from runs import further_view, typical_run
 
@@ -49,24 +50,26 @@ def stage_table(runs, data_sets, preset, threads):
 
 
 def kernel_times(report):
-    """{(name without threads, threads): milliseconds} of Google Benchmark's JSON; medians."""
+    """{(name without threads, threads): [ms of each repetition]} of Google Benchmark's JSON."""
     times = {}
     for each in report["benchmarks"]:
-        if each.get("error_occurred") or each.get("aggregate_name", "median") != "median":
+        if each.get("error_occurred") or each.get("run_type") == "aggregate":
             continue
         name = each["run_name"].removesuffix("/real_time")
         threads = re.search(r"/threads:(\d+)", name)
         key = name.replace(threads.group(0), "") if threads else name
         to_ms = {"ns": 1e-6, "us": 1e-3, "ms": 1, "s": 1e3}[each["time_unit"]]
-        times[key, int(threads.group(1)) if threads else 1] = each["real_time"] * to_ms
+        times.setdefault((key, int(threads.group(1)) if threads else 1), []).append(
+            each["real_time"] * to_ms)
     return times
 
 
 def kernel_table(times, threads):
-    """A row per benchmark, a column per number of threads."""
+    """A row per benchmark, a column per number of threads; medians."""
     names = list(dict.fromkeys(name for name, _ in times))
     rows = [[name.replace("/", ", ").replace(":", " ").replace("_", " ")] +
-            [number(times.get((name, count))) for count in threads] for name in names]
+            [number(statistics.median(times[name, count]) if (name, count) in times else None)
+             for count in threads] for name in names]
     return table(["stage or kernel, ms"] + [plural(count) for count in threads], rows)
 
 
