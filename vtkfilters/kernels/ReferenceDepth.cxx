@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace novelview
 {
@@ -167,9 +168,13 @@ public:
       }
       return result;
     }
-    const std::vector<Image<float>> bases = this->FusedBases();
+    std::vector<Image<float>> bases = this->FusedBases();
+    // The first pass is in the bases now; at full size its maps weigh as much as the photographs.
+    this->Depths = std::vector<Image<float>>(result.size());
+    this->Confidences = std::vector<Image<float>>(result.size());
     const std::vector<MatchImage> images = this->Reduced(1);
-    this->InBatches(0.4, 0.95, [&](std::int64_t i) { this->FinePass(i, images, bases[i]); });
+    this->InBatches(
+      0.4, 0.95, [&](std::int64_t i) { this->FinePass(i, images, std::exchange(bases[i], {})); });
     this->Rate();
     for (std::size_t i = 0; i < result.size(); ++i)
     {
