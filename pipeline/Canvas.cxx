@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Canvas.h"
 
+#include "Error.h"
+#include "Threads.h"
 #include "ViewAccess.h"
 
 #include <vtkCamera.h>
@@ -174,6 +176,10 @@ void Canvas::AddText(const std::string& text, int x, int y, const TextStyle& sty
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> Canvas::Draw()
 {
+  if (StopRequested()) // it may take as long as all that led to it
+  {
+    throw Interrupted();
+  }
   return this->Window->Capture();
 }
 }

@@ -88,7 +88,7 @@ public:
   /** One line of text, vertically centred on y; x is its left end, middle or right end. */
   void AddText(const std::string& text, int x, int y, const TextStyle& style = {});
 
-  /** What has been added, drawn. */
+  /** What has been added, drawn. Throws Interrupted when StopRequested() (Threads.h). */
   vtkSmartPointer<vtkImageData> Draw();
 
 private:

@@ -37,7 +37,7 @@ Dataset ReadInput(const JobInput& input, const DatasetIndex& index,
       options.Exclude.push_back(name);
     }
   }
-  console.Progress("reading photographs", 0);
+  options.Progress = [&console](double fraction) { console.Progress("photographs", fraction); };
   Dataset dataset;
   console.RunTimed("photographs", [&] { dataset = ReadDataset(index, options); });
   for (const std::string& warning : dataset.Warnings)

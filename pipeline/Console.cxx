@@ -49,6 +49,7 @@ Console::Console(Verbosity verbosity, std::FILE* out, std::FILE* err)
   if (verbosity > Verbosity::Quiet && ::isatty(::fileno(out)))
   {
     this->Terminal = out;
+    this->Clock = std::thread([this] { this->DrawBarUntilEnd(); });
   }
   SetStopFlag(&InterruptRequested);
   // What the layers below log goes the same way, and is as quiet.
@@ -59,6 +60,15 @@ Console::Console(Verbosity verbosity, std::FILE* out, std::FILE* err)
 Console::~Console()
 {
   this->ClearBar();
+  if (this->Clock.joinable())
+  {
+    {
+      const std::lock_guard<std::mutex> lock(this->BarMutex);
+      this->Ended = true;
+    }
+    this->End.notify_all();
+    this->Clock.join();
+  }
   spdlog::set_default_logger(this->Before);
 }
 
@@ -66,23 +76,44 @@ bool Console::Progress(const std::string& what, double fraction)
 {
   if (this->Terminal)
   {
-    constexpr int width = 30;
-    fraction = std::clamp(fraction, 0.0, 1.0);
-    const int full = static_cast<int>(fraction * width);
-    const std::string bar = fmt::format(
-      "[{:#<{}}{:.<{}}] {:3.0f} % {}", "", full, "", width - full, 100 * fraction, what);
-    if (bar != this->Bar)
-    {
-      std::fprintf(this->Terminal, "\r\x1b[K%s", bar.c_str());
-      std::fflush(this->Terminal);
-      this->Bar = bar;
-    }
+    const std::lock_guard<std::mutex> lock(this->BarMutex);
+    this->What = what;
+    this->Fraction = std::clamp(fraction, 0.0, 1.0);
+    this->DrawBar();
   }
   return !Interrupted();
 }
 
+void Console::DrawBar()
+{
+  constexpr int width = 30;
+  const int full = static_cast<int>(this->Fraction * width);
+  const std::string bar = fmt::format("[{:#<{}}{:.<{}}] {:3.0f} % {}, {:.1f} s", "", full, "",
+    width - full, 100 * this->Fraction, this->What, this->SecondsSoFar());
+  if (bar != this->Bar)
+  {
+    std::fprintf(this->Terminal, "\r\x1b[K%s", bar.c_str());
+    std::fflush(this->Terminal);
+    this->Bar = bar;
+  }
+}
+
+void Console::DrawBarUntilEnd()
+{
+  std::unique_lock<std::mutex> lock(this->BarMutex);
+  while (!this->End.wait_for(lock, std::chrono::milliseconds(200), [this] { return this->Ended; }))
+  {
+    if (!this->What.empty())
+    {
+      this->DrawBar();
+    }
+  }
+}
+
 void Console::ClearBar()
 {
+  const std::lock_guard<std::mutex> lock(this->BarMutex);
+  this->What.clear();
   if (this->Terminal && !this->Bar.empty())
   {
     std::fputs("\r\x1b[K", this->Terminal);
@@ -109,6 +140,7 @@ void Console::StageDone(const std::string& stage, double seconds)
 void Console::RunTimed(const std::string& stage, const std::function<void()>& work)
 {
   const auto start = std::chrono::steady_clock::now();
+  this->Progress(stage, 0);
   work();
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   this->StageDone(stage, taken.count());

@@ -5,10 +5,13 @@
 #include <spdlog/logger.h>
 
 #include <chrono>
+#include <condition_variable>
 #include <cstdio>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -24,8 +27,9 @@ enum class Verbosity
 
 /**
  * What a program tells its user: messages and progress on `out`, warnings and errors on `err`, one
- * line each. On a terminal progress is a bar that moves on its line; otherwise only whole lines are
- * written, one when a stage ends. For the main thread only.
+ * line each. On a terminal progress is a bar on a line of its own, with the time since the start, which
+ * goes on while nothing is reported; otherwise only whole lines are written, one when a stage ends.
+ * For the main thread only, but for Progress().
  */
 class Console
 {
@@ -33,13 +37,14 @@ public:
   explicit Console(Verbosity verbosity, std::FILE* out = stdout, std::FILE* err = stderr);
   ~Console();
 
-  /** Something has been worked on up to a fraction, 0 to 1. Returns false after Interrupt(). */
+  /** Something has been worked on up to a fraction, 0 to 1. Returns false after Interrupt(). Any
+   * thread. */
   bool Progress(const std::string& what, double fraction);
   /** A stage has ended. */
   void StageDone(const std::string& stage, double seconds);
   /** Two stages ran at the same time, in so many seconds less than the sum of both. */
   void StagesOverlapped(double seconds) { this->Overlap += seconds; }
-  /** Does what is no filter's work, and counts it as a stage. */
+  /** Does what is no filter's work, with a bar, and counts it as a stage. */
   void RunTimed(const std::string& stage, const std::function<void()>& work);
 
   /** Whether nothing but warnings and errors is written. */
@@ -66,6 +71,8 @@ public:
   static bool Interrupted();
 
 private:
+  void DrawBar();
+  void DrawBarUntilEnd();
   void ClearBar();
   double SecondsSoFar() const;
 
@@ -73,7 +80,13 @@ private:
   std::shared_ptr<spdlog::logger> Err;
   std::shared_ptr<spdlog::logger> Before; ///< spdlog's default logger while there is no Console
   std::FILE* Terminal = nullptr;          ///< where the bar is drawn; null = nowhere
+  std::string What;                       ///< the bar's text; none = no bar
+  double Fraction = 0;                    ///< its length
   std::string Bar;                        ///< as drawn last
+  bool Ended = false;
+  std::mutex BarMutex; ///< of the five above
+  std::condition_variable End;
+  std::thread Clock; ///< draws the bar while nothing is reported
   std::vector<std::pair<std::string, double>> Stages;
   double Overlap = 0;
   std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();

@@ -11,6 +11,7 @@
 #include <vtkImageData.h>
 
 #include <algorithm>
+#include <atomic>
 #include <set>
 
 namespace novelview
@@ -236,8 +237,13 @@ Dataset ReadDataset(const DatasetIndex& index, const DatasetOptions& options)
 {
   const std::vector<Photograph> cameras = WithoutExcluded(index, options.Exclude);
   std::vector<Prepared> prepared(cameras.size());
-  ParallelForEach(
-    cameras.size(), [&](std::size_t i) { prepared[i] = Prepare(cameras[i], options); });
+  std::atomic<std::size_t> done = 0;
+  ParallelForEach(cameras.size(),
+    [&](std::size_t i)
+    {
+      prepared[i] = Prepare(cameras[i], options);
+      options.Progress(static_cast<double>(++done) / cameras.size());
+    });
   CheckSizes(cameras, prepared);
   Dataset dataset;
   dataset.Views = vtkSmartPointer<vtkMultiBlockDataSet>::New();

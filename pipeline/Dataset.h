@@ -17,6 +17,7 @@
 #include <vtkSmartPointer.h>
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -58,6 +59,8 @@ struct DatasetOptions
   std::vector<std::string> Exclude; ///< photographs to leave out; they are not even opened
   bool ForceSilhouettes = false;    ///< extract silhouettes although there are masks
   SilhouetteOptions Silhouette;     ///< how, where there is no mask
+  /** Hears in any thread the fraction of photographs read. */
+  std::function<void(double)> Progress = [](double) {};
 };
 
 struct Dataset

@@ -8,7 +8,6 @@
 #include "PngFile.h"
 #include "SceneActors.h"
 #include "ScoreChart.h"
-#include "Threads.h"
 #include "ViewAccess.h"
 
 #include <vtkActor.h>
@@ -327,10 +326,6 @@ void DrawDesktop(DesktopState& state, const std::filesystem::path& path)
   const int rightX = left.X + left.Width + Gap;
   DrawMeshScene(canvas, left, state);
   DrawPicturePanels(canvas, { rightX, top, DesktopWidth - rightX - Gap, height }, state);
-  if (StopRequested()) // what follows may take as long as all before
-  {
-    throw Interrupted();
-  }
   WritePng(path, canvas.Draw());
 }
 

@@ -2,6 +2,7 @@
 #include "StageCache.h"
 
 #include "Error.h"
+#include "Parallel.h"
 #include "PowerCrust.h"
 #include "Synthesis.h"
 #include "ViewAccess.h"
@@ -158,10 +159,10 @@ auto Read(const fs::path& path, const nlohmann::json& files)
   return vtkSmartPointer(reader->GetOutput());
 }
 
-std::string ViewFile(unsigned int viewId)
+std::string ViewFile(std::size_t viewId)
 {
   char name[32];
-  std::snprintf(name, sizeof(name), "view_%04u.vti", viewId);
+  std::snprintf(name, sizeof(name), "view_%04zu.vti", viewId);
   return name;
 }
 
@@ -258,12 +259,15 @@ ViewIndependent ReadEntry(const fs::path& folder, vtkMultiBlockDataSet* given)
   results.MedialBalls = Read<vtkXMLPolyDataReader>(folder / "medial_balls.vtp", files);
   results.Warnings = manifest.at("warnings").get<std::vector<std::string>>();
   results.Views = vtkSmartPointer<vtkMultiBlockDataSet>::New();
-  for (unsigned int viewId = 0; viewId < given->GetNumberOfBlocks(); ++viewId)
+  std::vector<vtkSmartPointer<vtkImageData>> parts(given->GetNumberOfBlocks());
+  ParallelForEach(parts.size(),
+    [&](std::size_t viewId)
+    { parts[viewId] = Read<vtkXMLImageDataReader>(folder / ViewFile(viewId), files); });
+  for (unsigned int viewId = 0; viewId < parts.size(); ++viewId)
   {
     vtkImageData* image = ViewImage(given, viewId);
-    const auto parts = Read<vtkXMLImageDataReader>(folder / ViewFile(viewId), files);
     const std::string name = ViewName(given, viewId);
-    AppendView(results.Views, name, Completed(image, parts), AttachedCamera(image, name));
+    AppendView(results.Views, name, Completed(image, parts[viewId]), AttachedCamera(image, name));
   }
   for (const auto& [name, value] : manifest.at("numbers").items())
   {
@@ -298,6 +302,10 @@ std::optional<ViewIndependent> StageCache::Load()
   try
   {
     return ReadEntry(this->Entry(), this->Views);
+  }
+  catch (const Interrupted&)
+  {
+    throw;
   }
   catch (const std::exception& error)
   {

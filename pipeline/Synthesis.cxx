@@ -203,6 +203,10 @@ private:
     if (!this->Kept && this->Cache && !this->Looked)
     {
       this->Looked = true;
+      if (this->Listener.Progress)
+      {
+        this->Listener.Progress("cache", 0);
+      }
       this->Kept = this->Cache->Load();
       if (!this->Cache->Damage().empty())
       {

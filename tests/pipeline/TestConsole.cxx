@@ -6,7 +6,9 @@
 
 #include <chrono>
 #include <csignal>
+#include <pty.h>
 #include <thread>
+#include <unistd.h>
 
 using namespace novelview;
 using namespace novelview::testing_support;
@@ -51,6 +53,40 @@ TEST(Console, WritesWholeLinesWhereThereIsNoTerminal)
   const Written normal = Talk(Verbosity::Normal, SayEverything);
   EXPECT_EQ(normal.Out, "hull done in 1.25 s\nan info\n");
   EXPECT_EQ(normal.Err, "novelview: warning: a warning {}\nnovelview: error: an error\n");
+}
+
+TEST(Console, OnATerminalTheBarsTimeGoesOnByItself)
+{
+  int here = -1;
+  int there = -1;
+  ASSERT_EQ(openpty(&here, &there, nullptr, nullptr, nullptr), 0);
+  std::FILE* terminal = ::fdopen(there, "w");
+  {
+    Console console(Verbosity::Normal, terminal, terminal);
+    console.Progress("hull", 0.5);
+    std::string drawn;
+    const auto bars = [&drawn]
+    {
+      std::size_t count = 0;
+      for (std::size_t at = 0; (at = drawn.find(" 50 % hull, ", at)) != std::string::npos; ++at)
+      {
+        ++count;
+      }
+      return count;
+    };
+    while (bars() < 3) // for ever when it stands still
+    {
+      char text[256];
+      const ssize_t length = ::read(here, text, sizeof(text));
+      ASSERT_GT(length, 0);
+      drawn.append(text, length);
+    }
+    console.Info("done");
+    char text[256];
+    EXPECT_GT(::read(here, text, sizeof(text)), 0);
+  }
+  std::fclose(terminal);
+  ::close(here);
 }
 
 TEST(Console, QuietKeepsWarningsAndErrors)

@@ -177,6 +177,24 @@ TEST_F(StageCacheTest, AFolderThatCannotBeWrittenIsAWarning)
   EXPECT_FALSE(outcome.Color.empty());
 }
 
+TEST_F(StageCacheTest, AStopWhileItIsReadIsNoDamage)
+{
+  Synthesise(this->Options, this->Views);
+  Stop stop;
+  SynthesisListener listener;
+  listener.Progress = [&](const std::string& stage, double)
+  {
+    stop.Flag = stop.Flag || stage == "cache";
+    return true;
+  };
+  std::vector<std::string> warnings;
+  listener.Warn = [&](const std::string& text) { warnings.push_back(text); };
+  Synthesis synthesis(this->Views, this->Options, listener);
+  EXPECT_THROW(
+    synthesis.Render(AttachedCamera(ViewImage(this->Views, 2), "a"), Stage::Hull), Interrupted);
+  EXPECT_THAT(warnings, testing::IsEmpty());
+}
+
 TEST_F(StageCacheTest, AStopDoesNotLoseWhatIsMade)
 {
   Stop stop;
