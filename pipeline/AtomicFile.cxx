@@ -14,10 +14,7 @@ namespace fs = std::filesystem;
 
 void WriteAtomically(const fs::path& path, const std::function<bool(const fs::path&)>& write)
 {
-  if (StopRequested())
-  {
-    throw Interrupted();
-  }
+  ThrowIfStopRequested();
   std::error_code failure;
   if (!path.parent_path().empty())
   {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Canvas.h"
 
-#include "Error.h"
 #include "Threads.h"
 #include "ViewAccess.h"
 
@@ -176,10 +175,7 @@ void Canvas::AddText(const std::string& text, int x, int y, const TextStyle& sty
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> Canvas::Draw()
 {
-  if (StopRequested()) // it may take as long as all that led to it
-  {
-    throw Interrupted();
-  }
+  ThrowIfStopRequested(); // drawing may take as long as all that led to it
   return this->Window->Capture();
 }
 }

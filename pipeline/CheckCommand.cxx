@@ -245,8 +245,7 @@ bool RunCheck(const CheckOptions& options, Console& console)
   }
   Execution execution;
   execution.ParallelFor = ParallelFor;
-  execution.Progress = [&console](double fraction)
-  { return console.Progress("checking", fraction); };
+  execution.Progress = [&console](double fraction) { return console.Progress("check", fraction); };
   CheckReport report;
   console.RunTimed("check", [&] { report = CheckDataset(options.Input, execution); });
   for (const std::string& line : CheckTable(report))

@@ -37,9 +37,9 @@ Dataset ReadInput(const JobInput& input, const DatasetIndex& index,
       options.Exclude.push_back(name);
     }
   }
-  options.Progress = [&console](double fraction) { console.Progress("photographs", fraction); };
   Dataset dataset;
-  console.RunTimed("photographs", [&] { dataset = ReadDataset(index, options); });
+  console.RunTimed("photographs",
+    [&] { dataset = ReadDataset(index, options, console.ProgressOf("photographs")); });
   for (const std::string& warning : dataset.Warnings)
   {
     console.Warn(warning);

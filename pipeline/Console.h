@@ -27,9 +27,9 @@ enum class Verbosity
 
 /**
  * What a program tells its user: messages and progress on `out`, warnings and errors on `err`, one
- * line each. On a terminal progress is a bar on a line of its own, with the time since the start, which
- * goes on while nothing is reported; otherwise only whole lines are written, one when a stage ends.
- * For the main thread only, but for Progress().
+ * line each. On a terminal progress is a bar on a line of its own, with the time since the start,
+ * which goes on while nothing is reported; otherwise only whole lines are written, one when a stage
+ * ends. For the main thread only, but for Progress().
  */
 class Console
 {
@@ -37,9 +37,13 @@ public:
   explicit Console(Verbosity verbosity, std::FILE* out = stdout, std::FILE* err = stderr);
   ~Console();
 
-  /** Something has been worked on up to a fraction, 0 to 1. Returns false after Interrupt(). Any
-   * thread. */
+  /** Something has been worked on up to a fraction, 0 to 1. Returns false after Interrupt(). */
   bool Progress(const std::string& what, double fraction);
+  /** Progress() of one thing, for those who need not ask about a stop. */
+  std::function<void(double fraction)> ProgressOf(const std::string& what)
+  {
+    return [this, what](double fraction) { this->Progress(what, fraction); };
+  }
   /** A stage has ended. */
   void StageDone(const std::string& stage, double seconds);
   /** Two stages ran at the same time, in so many seconds less than the sum of both. */
@@ -80,11 +84,11 @@ private:
   std::shared_ptr<spdlog::logger> Err;
   std::shared_ptr<spdlog::logger> Before; ///< spdlog's default logger while there is no Console
   std::FILE* Terminal = nullptr;          ///< where the bar is drawn; null = nowhere
+  std::mutex BarMutex;                    ///< of the four below
   std::string What;                       ///< the bar's text; none = no bar
   double Fraction = 0;                    ///< its length
   std::string Bar;                        ///< as drawn last
   bool Ended = false;
-  std::mutex BarMutex; ///< of the five above
   std::condition_variable End;
   std::thread Clock; ///< draws the bar while nothing is reported
   std::vector<std::pair<std::string, double>> Stages;

@@ -180,7 +180,9 @@ void ConvertDataset(const ConvertOptions& options, Console& console)
   CheckFolder(options.Dataset, options.Out, format.Compose(name, Written(plan)));
   PrepareFolder(options.Out);
   console.Progress("writing photographs", 0);
-  ParallelForEach(plan.size(), [&](std::size_t i) { Transfer(plan[i], format, options.Out); });
+  ParallelForEach(
+    plan.size(), [&](std::size_t i) { Transfer(plan[i], format, options.Out); },
+    console.ProgressOf("writing photographs"));
   const std::vector<FileContent> files = format.Compose(name, Written(plan));
   for (const FileContent& file : files)
   {

@@ -11,7 +11,6 @@
 #include <vtkImageData.h>
 
 #include <algorithm>
-#include <atomic>
 #include <set>
 
 namespace novelview
@@ -233,17 +232,13 @@ PhotographPixels ReadPhotograph(
   return pixels;
 }
 
-Dataset ReadDataset(const DatasetIndex& index, const DatasetOptions& options)
+Dataset ReadDataset(const DatasetIndex& index, const DatasetOptions& options,
+  const std::function<void(double fraction)>& progress)
 {
   const std::vector<Photograph> cameras = WithoutExcluded(index, options.Exclude);
   std::vector<Prepared> prepared(cameras.size());
-  std::atomic<std::size_t> done = 0;
-  ParallelForEach(cameras.size(),
-    [&](std::size_t i)
-    {
-      prepared[i] = Prepare(cameras[i], options);
-      options.Progress(static_cast<double>(++done) / cameras.size());
-    });
+  ParallelForEach(
+    cameras.size(), [&](std::size_t i) { prepared[i] = Prepare(cameras[i], options); }, progress);
   CheckSizes(cameras, prepared);
   Dataset dataset;
   dataset.Views = vtkSmartPointer<vtkMultiBlockDataSet>::New();

@@ -59,8 +59,6 @@ struct DatasetOptions
   std::vector<std::string> Exclude; ///< photographs to leave out; they are not even opened
   bool ForceSilhouettes = false;    ///< extract silhouettes although there are masks
   SilhouetteOptions Silhouette;     ///< how, where there is no mask
-  /** Hears in any thread the fraction of photographs read. */
-  std::function<void(double)> Progress = [](double) {};
 };
 
 struct Dataset
@@ -76,8 +74,10 @@ struct Dataset
  * photograph or mask unreadable, a mask unlike its photograph in size, a photograph unlike its
  * calibration in size, photographs of one K but several sizes, a silhouette empty or full, a name to
  * exclude unknown, no photograph left.
+ * @param progress hears the fraction of photographs read, in any thread.
  */
-Dataset ReadDataset(const DatasetIndex& index, const DatasetOptions& options = {});
+Dataset ReadDataset(const DatasetIndex& index, const DatasetOptions& options = {},
+  const std::function<void(double fraction)>& progress = {});
 
 /** The photographs that are not excluded. Errors as ReadDataset(). */
 std::vector<Photograph> WithoutExcluded(

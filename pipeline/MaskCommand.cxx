@@ -187,17 +187,9 @@ void WriteMasks(const MaskOptions& options, Console& console)
   const fs::path sheet =
     (options.InPlace ? options.Dataset / "mask" : options.Out) / "contact-sheet.png";
   PrepareFolder(sheet.parent_path());
-  // In parts, so that an interrupt is heard of between them.
-  constexpr std::size_t Part = 8;
-  for (std::size_t begin = 0; begin < tasks.size(); begin += Part)
-  {
-    if (!console.Progress("masks", static_cast<double>(begin) / tasks.size()))
-    {
-      throw Interrupted();
-    }
-    const std::size_t count = std::min(Part, tasks.size() - begin);
-    ParallelForEach(count, [&](std::size_t i) { MakeMask(tasks[begin + i], options); });
-  }
+  console.Progress("masks", 0);
+  ParallelForEach(
+    tasks.size(), [&](std::size_t i) { MakeMask(tasks[i], options); }, console.ProgressOf("masks"));
   std::vector<MaskThumbnail> thumbnails;
   for (const MaskTask& task : tasks)
   {

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Parallel.h"
 
-#include "Error.h"
 #include "Threads.h"
 
 #include <opencv2/core.hpp>
 
+#include <atomic>
 #include <exception>
 #include <vector>
 
 namespace novelview
 {
-void ParallelForEach(std::size_t count, const std::function<void(std::size_t i)>& body)
+void ParallelForEach(std::size_t count, const std::function<void(std::size_t i)>& body,
+  const std::function<void(double fraction)>& progress)
 {
+  std::atomic<std::size_t> done = 0;
   std::vector<std::exception_ptr> failures(count);
   ParallelFor(static_cast<std::int64_t>(count),
     [&](std::int64_t begin, std::int64_t end)
@@ -21,11 +23,12 @@ void ParallelForEach(std::size_t count, const std::function<void(std::size_t i)>
       {
         try
         {
-          if (StopRequested())
-          {
-            throw Interrupted();
-          }
+          ThrowIfStopRequested();
           body(static_cast<std::size_t>(i));
+          if (progress)
+          {
+            progress(static_cast<double>(++done) / static_cast<double>(count));
+          }
         }
         catch (...)
         {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Threads.h"
 
+#include "Error.h"
+
 #include <vtkSMPTools.h>
 
 namespace novelview
@@ -42,5 +44,13 @@ bool StopRequested()
 {
   const std::atomic<bool>* flag = StopFlag;
   return flag && *flag;
+}
+
+void ThrowIfStopRequested()
+{
+  if (StopRequested())
+  {
+    throw Interrupted();
+  }
 }
 }

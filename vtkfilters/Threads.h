@@ -30,6 +30,9 @@ VTKNOVELVIEWFILTERS_EXPORT void SetStopFlag(const std::atomic<bool>* flag);
 
 /** Whether the flag is there and set. */
 VTKNOVELVIEWFILTERS_EXPORT bool StopRequested();
+
+/** Throws Interrupted when StopRequested(). */
+VTKNOVELVIEWFILTERS_EXPORT void ThrowIfStopRequested();
 }
 
 #endif

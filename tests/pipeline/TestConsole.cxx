@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <poll.h>
 #include <pty.h>
 #include <thread>
 #include <unistd.h>
@@ -74,8 +75,10 @@ TEST(Console, OnATerminalTheBarsTimeGoesOnByItself)
       }
       return count;
     };
-    while (bars() < 3) // for ever when it stands still
+    while (bars() < 3)
     {
+      pollfd more{ here, POLLIN, 0 };
+      ASSERT_EQ(::poll(&more, 1, 10000), 1) << "it stands still";
       char text[256];
       const ssize_t length = ::read(here, text, sizeof(text));
       ASSERT_GT(length, 0);

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <mutex>
 #include <set>
 
 using namespace novelview;
@@ -149,4 +150,18 @@ TEST(StageRunner, AStopFlagEndsLoopsOverPhotographs)
   };
   EXPECT_THROW(ParallelForEach(1000, body), Interrupted);
   EXPECT_LE(calls, 64) << "at most one per thread";
+}
+
+TEST(ParallelForEach, TellsEveryFractionOnce)
+{
+  std::mutex mutex;
+  std::multiset<double> told;
+  ParallelForEach(
+    4, [](std::size_t) {},
+    [&](double fraction)
+    {
+      const std::lock_guard<std::mutex> lock(mutex);
+      told.insert(fraction);
+    });
+  EXPECT_EQ(told, (std::multiset<double>{ 0.25, 0.5, 0.75, 1 }));
 }
