@@ -2,6 +2,7 @@
 #include "CommandLine.h"
 
 #include "AtomicFile.h"
+#include "InputFile.h"
 #include "OptionParser.h"
 #include "Parallel.h"
 #include "UsageError.h"
@@ -9,6 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <csignal>
 
 namespace novelview
 {
@@ -325,6 +327,10 @@ int RunCommandLine(int argc, const char* const* argv, const Commands& commands)
   };
   try
   {
+    if (!parsed.Common.Timings.empty() && commands.Rank == 0)
+    {
+      AnnounceOutput(parsed.Common.Timings);
+    }
     const int code = Dispatch(app, parsed, commands, console);
     if (!parsed.Common.Timings.empty() && commands.Rank == 0)
     {
@@ -335,7 +341,7 @@ int RunCommandLine(int argc, const char* const* argv, const Commands& commands)
   catch (const Interrupted&)
   {
     console.Error("interrupted");
-    return ExitCode::Interrupted;
+    return ExitCode::Stopped + (commands.StopSignal ? commands.StopSignal() : SIGINT);
   }
   catch (const UsageError& error)
   {

@@ -27,6 +27,8 @@ struct Commands
   // ---- of several processes, all of which parse the same words
   int Rank = 0;      ///< only 0 tells the user anything
   int Processes = 1; ///< with more, commands that cannot be shared are an error
+  /** The signal that asked for a stop. */
+  std::function<int()> StopSignal;
   /** Hears in the other processes why a command failed, which the first tells the user. */
   std::function<void(const std::string& error)> Failed;
 };
@@ -35,10 +37,10 @@ struct Commands
 struct ExitCode
 {
   static constexpr int Ok = 0;
-  static constexpr int Failed = 1;        ///< the run failed
-  static constexpr int Usage = 2;         ///< bad options or job file
-  static constexpr int Problems = 3;      ///< `check` found some
-  static constexpr int Interrupted = 130; ///< stopped by the user, 128 + SIGINT as shells have it
+  static constexpr int Failed = 1;    ///< the run failed
+  static constexpr int Usage = 2;     ///< bad options or job file
+  static constexpr int Problems = 3;  ///< `check` found some
+  static constexpr int Stopped = 128; ///< and the signal's number, as shells have it
 };
 
 /**

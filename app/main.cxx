@@ -3,26 +3,82 @@
 #include "CommandLine.h"
 #include "ConvertCommand.h"
 #include "EvaluateCommand.h"
+#include "InputFile.h"
 #include "MaskCommand.h"
 #include "MeshCommand.h"
 #include "OrbitCommand.h"
 #include "RunCommand.h"
 
+#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <fcntl.h>
+#include <iostream>
 #include <memory>
+#include <system_error>
 #include <thread>
+#include <unistd.h>
 
 using namespace novelview;
 
 namespace
 {
-/** The first Ctrl-C asks for an orderly stop, the second one kills. */
-extern "C" void OnInterrupt(int)
+volatile std::sig_atomic_t StopSignal = SIGINT;
+
+/** The first Ctrl-C, or another signal that ends programs, asks for an orderly stop; the second
+ * kills. */
+extern "C" void OnStopSignal(int number)
 {
+  StopSignal = number;
   Console::Interrupt();
-  std::signal(SIGINT, SIG_DFL);
+  for (const int each : { SIGINT, SIGTERM, SIGHUP })
+  {
+    std::signal(each, SIG_DFL);
+  }
+}
+
+void HeedSignals()
+{
+  for (const int each : { SIGINT, SIGTERM, SIGHUP })
+  {
+    if (each != SIGINT && FindLaunchPlace().Rank > 0)
+    {
+      continue; // mpirun ends these; the first process says why
+    }
+    if (std::signal(each, OnStopSignal) == SIG_IGN && each == SIGHUP)
+    {
+      std::signal(each, SIG_IGN); // started by nohup
+    }
+  }
+  // A file that grows too large for the user's limit is an error of writing.
+  std::signal(SIGXFSZ, SIG_IGN);
+}
+
+/** Files get the numbers of standard streams that are closed, and messages would go into them. */
+void OpenMissingStreams()
+{
+  for (const int descriptor : { STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO })
+  {
+    if (::fcntl(descriptor, F_GETFD) < 0)
+    {
+      ::open("/dev/null", descriptor == STDIN_FILENO ? O_RDONLY : O_WRONLY);
+    }
+  }
+}
+
+/** Whether all that was told has arrived, which a full disk or a closed pipe may prevent. */
+int FlushOutput(int code)
+{
+  std::cout.flush();
+  errno = 0;
+  if ((std::fflush(stdout) != 0 || std::ferror(stdout) || !std::cout) && code == ExitCode::Ok)
+  {
+    std::fprintf(stderr, "novelview: error: standard output: cannot be written%s%s\n",
+      errno ? ": " : "", errno ? std::generic_category().message(errno).c_str() : "");
+    return ExitCode::Failed;
+  }
+  return code;
 }
 
 void Generate(const GeneratorOptions& options, const std::filesystem::path& out, Console& console)
@@ -88,12 +144,15 @@ private:
 
 int main(int argc, char** argv)
 {
-  std::signal(SIGINT, OnInterrupt);
+  OpenMissingStreams();
+  HeedSignals();
+  const InputProtection protection;
   Launch launch(argc, argv);
   Commands commands;
   commands.Rank = FindLaunchPlace().Rank;
   commands.Processes = FindLaunchPlace().Size;
   commands.Failed = [&launch](const std::string& error) { launch.TellFailure(error); };
+  commands.StopSignal = [] { return static_cast<int>(StopSignal); };
   commands.Generate = Generate;
   commands.Run = RunJob;
   commands.Render = launch.Shared(RenderJob);
@@ -103,5 +162,5 @@ int main(int argc, char** argv)
   commands.Convert = ConvertDataset;
   commands.Check = RunCheck;
   commands.Mask = WriteMasks;
-  return launch.End(RunCommandLine(argc, argv, commands));
+  return launch.End(FlushOutput(RunCommandLine(argc, argv, commands)));
 }

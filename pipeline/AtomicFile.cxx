@@ -2,59 +2,68 @@
 #include "AtomicFile.h"
 
 #include "Error.h"
+#include "InputFile.h"
+#include "TemporaryFile.h"
 #include "Threads.h"
 
 #include <fstream>
-#include <system_error>
-#include <unistd.h>
+#include <iterator>
 
 namespace novelview
 {
 namespace fs = std::filesystem;
+namespace
+{
+bool Holds(const fs::path& path, std::string_view bytes)
+{
+  std::error_code failure;
+  if (!fs::is_regular_file(path, failure) || fs::file_size(path, failure) != bytes.size())
+  {
+    return false;
+  }
+  std::ifstream file(path, std::ios::binary);
+  const std::string held((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  return held == bytes;
+}
+}
+
+void AnnounceText(const fs::path& path, std::string_view bytes)
+{
+  if (!IsInput(path) || !Holds(path, bytes))
+  {
+    AnnounceOutput(path);
+  }
+}
+
+void WriteTextAtomically(const fs::path& path, std::string_view bytes)
+{
+  ThrowIfStopRequested();
+  if (IsInput(path) && Holds(path, bytes))
+  {
+    return;
+  }
+  RequireReplaceable(path);
+  TemporaryFile file(path);
+  file.Write(bytes);
+  file.Commit();
+  NoteWritten(path);
+}
 
 void WriteAtomically(const fs::path& path, const std::function<bool(const fs::path&)>& write)
 {
   ThrowIfStopRequested();
-  std::error_code failure;
-  if (!path.parent_path().empty())
+  RequireReplaceable(path);
+  TemporaryFile file(path);
+  if (!write(file.Path()))
   {
-    fs::create_directories(path.parent_path(), failure);
-    if (failure)
-    {
-      throw Error(path.parent_path().string(), "cannot make the folder: " + failure.message());
-    }
+    throw Error(path.string(), "cannot be written");
   }
-  // The extension stays last, since writers choose the format by it.
-  fs::path temporary = path.parent_path() /
-    ("." + path.stem().string() + "." + std::to_string(::getpid()) + path.extension().string());
-  try
-  {
-    if (!write(temporary))
-    {
-      throw Error(path.string(), "cannot be written");
-    }
-    fs::rename(temporary, path, failure);
-    if (failure)
-    {
-      throw Error(path.string(), "cannot be written: " + failure.message());
-    }
-  }
-  catch (...)
-  {
-    fs::remove(temporary, failure);
-    throw;
-  }
+  file.Commit();
+  NoteWritten(path);
 }
 
-void WriteTextAtomically(const fs::path& path, const std::string& text)
+void RequireWritable(const fs::path& folder)
 {
-  WriteAtomically(path,
-    [&text](const fs::path& temporary)
-    {
-      std::ofstream file(temporary, std::ios::binary);
-      file << text;
-      file.close();
-      return file.good();
-    });
+  TemporaryFile(folder / "anything");
 }
 }

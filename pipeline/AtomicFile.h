@@ -1,24 +1,44 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * Files that are there whole or not at all: the bytes go into a temporary file beside the target, to
+ * the disk, and then into the target's place. A run that fails, is interrupted or killed leaves the
+ * file that was there before. Missing folders are made.
+ *
+ * Every function throws Error, naming the target, when the disk is full, when the target is no
+ * regular file, or when it is a file that this run has read (InputFile.h); and, before anything is
+ * done, Interrupted when StopRequested() (Threads.h).
+ */
 #ifndef novelview_AtomicFile_h
 #define novelview_AtomicFile_h
 
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <string_view>
 
 namespace novelview
 {
 /**
- * Calls `write` with a temporary path beside `path` (same extension) and renames the result to
- * `path`, so that a failed or interrupted run leaves no half-written file. `write` returns false or
- * throws when it could not write. Missing folders are made. Throws Error, naming `path`, and, before
- * anything is done, Interrupted when StopRequested() (Threads.h).
+ * Writes bytes, be they text or not. An input of the run that holds just these bytes already stays
+ * as it is.
+ */
+void WriteTextAtomically(const std::filesystem::path& path, std::string_view bytes);
+
+/**
+ * For writers that want a file: calls `write` with the path of the temporary file, which has the
+ * target's extension. `write` returns false or throws when it could not write.
  */
 void WriteAtomically(const std::filesystem::path& path,
   const std::function<bool(const std::filesystem::path& temporary)>& write);
 
-/** The same for text. */
-void WriteTextAtomically(const std::filesystem::path& path, const std::string& text);
+/**
+ * AnnounceOutput() (InputFile.h) for a file whose bytes are known already: an input that holds just
+ * these may be written.
+ */
+void AnnounceText(const std::filesystem::path& path, std::string_view bytes);
+
+/** Proves that files can be written into a folder, which is made when it is missing. */
+void RequireWritable(const std::filesystem::path& folder);
 }
 
 #endif

@@ -241,7 +241,7 @@ bool RunCheck(const CheckOptions& options, Console& console)
 {
   if (!options.Out.empty())
   {
-    PrepareFolder(options.Out);
+    PrepareFolder(options.Out, { "cameras.png", "check.json" });
   }
   Execution execution;
   execution.ParallelFor = ParallelFor;

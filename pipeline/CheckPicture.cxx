@@ -4,7 +4,6 @@
 #include "Canvas.h"
 #include "Error.h"
 #include "ImageFile.h"
-#include "PngFile.h"
 #include "SceneActors.h"
 #include "ViewAccess.h"
 
@@ -170,6 +169,6 @@ void DrawCheckedCameras(const CheckReport& report, const std::filesystem::path& 
       PictureHeight - TitleHeight - Gap };
     AddScene(canvas, box, report, cameras, target, above);
   }
-  WritePng(path, canvas.Draw());
+  WriteArray(path, canvas.Draw(), arrays::Color);
 }
 }

@@ -4,6 +4,7 @@
 #include "AtomicFile.h"
 #include "Error.h"
 #include "ImageFile.h"
+#include "InputFile.h"
 #include "ViewAccess.h"
 
 #include <algorithm>
@@ -12,10 +13,13 @@ namespace novelview
 {
 namespace fs = std::filesystem;
 
-void PrepareFolder(const fs::path& folder)
+void PrepareFolder(const fs::path& folder, const std::vector<fs::path>& files)
 {
-  WriteTextAtomically(folder / ".novelview", "");
-  fs::remove(folder / ".novelview");
+  for (const fs::path& file : files)
+  {
+    AnnounceOutput(folder / file);
+  }
+  RequireWritable(folder);
 }
 
 DatasetIndex FindInput(const JobInput& input)

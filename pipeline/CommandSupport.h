@@ -14,8 +14,12 @@
 
 namespace novelview
 {
-/** Makes the out folder and proves that it can be written before any work is done. */
-void PrepareFolder(const std::filesystem::path& folder);
+/**
+ * Makes the out folder, proves that it can be written, and announces the files that go into it, all
+ * before any work is done. Throws Error when one of them would replace what the run reads.
+ */
+void PrepareFolder(
+  const std::filesystem::path& folder, const std::vector<std::filesystem::path>& files);
 
 /** The calibration of the photographs. */
 DatasetIndex FindInput(const JobInput& input);

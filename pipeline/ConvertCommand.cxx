@@ -6,6 +6,7 @@
 #include "Dataset.h"
 #include "DatasetFormats.h"
 #include "ImageFile.h"
+#include "InputFile.h"
 #include "Parallel.h"
 #include "UsageError.h"
 
@@ -17,14 +18,19 @@ namespace novelview
 namespace fs = std::filesystem;
 namespace
 {
+/** Whether a copy would be the file itself, which then stays as it is. */
+bool IsSame(const fs::path& from, const fs::path& to)
+{
+  std::error_code failure;
+  return fs::equivalent(from, to, failure);
+}
+
 void CopyFile(const fs::path& from, const fs::path& to)
 {
-  WriteAtomically(to,
-    [&](const fs::path& temporary)
-    {
-      std::error_code failure;
-      return fs::copy_file(from, temporary, fs::copy_options::overwrite_existing, failure);
-    });
+  if (!IsSame(from, to))
+  {
+    WriteTextAtomically(to, ReadInputFile(from));
+  }
 }
 
 /** A photograph and what it becomes. */
@@ -116,6 +122,37 @@ Image<std::uint8_t> MaskPixels(const Conversion& each)
   return each.Undistort ? Undistorted(mask.Ref(), each.From.Distortion, each.From.Cam.K) : mask;
 }
 
+/** Whether the mask's file is copied; else its pixels are written. */
+bool CopiesMask(const Conversion& each)
+{
+  return !each.Undistort && !each.From.InvertMask && each.From.Mask.extension() == ".png";
+}
+
+/** Announces photographs, masks and calibration; files that stay as they are need no announcement. */
+void AnnounceFiles(const std::vector<Conversion>& plan, const DatasetFormat& format,
+  const std::vector<FileContent>& calibration, const fs::path& out)
+{
+  for (const Conversion& each : plan)
+  {
+    const fs::path photo = out / format.PhotoFolder / each.To.Name;
+    if (each.Undistort || !IsSame(each.From.File, photo))
+    {
+      AnnounceOutput(photo);
+    }
+    const fs::path mask = out / format.MaskFolder / format.MaskName(each.To.Name);
+    if (!CopiesMask(each) || !IsSame(each.From.Mask, mask))
+    {
+      AnnounceOutput(mask);
+    }
+  }
+  std::vector<fs::path> files;
+  for (const FileContent& file : calibration)
+  {
+    files.push_back(file.Path);
+  }
+  PrepareFolder(out, files);
+}
+
 /** Writes photograph and mask. */
 void Transfer(Conversion& each, const DatasetFormat& format, const fs::path& out)
 {
@@ -142,8 +179,7 @@ void Transfer(Conversion& each, const DatasetFormat& format, const fs::path& out
     return;
   }
   each.To.Mask = fs::path(format.MaskFolder) / format.MaskName(each.To.Name);
-  const bool asItIs = !each.Undistort && !from.InvertMask && from.Mask.extension() == ".png";
-  if (asItIs)
+  if (CopiesMask(each))
   {
     CopyFile(from.Mask, out / each.To.Mask);
   }
@@ -177,8 +213,9 @@ void ConvertDataset(const ConvertOptions& options, Console& console)
     fs::weakly_canonical(fs::absolute(options.Out)).filename().string();
   const std::string name = folderName.empty() ? "cameras" : folderName;
   // Once before anything is written: the format may not hold these cameras.
-  CheckFolder(options.Dataset, options.Out, format.Compose(name, Written(plan)));
-  PrepareFolder(options.Out);
+  const std::vector<FileContent> planned = format.Compose(name, Written(plan));
+  CheckFolder(options.Dataset, options.Out, planned);
+  AnnounceFiles(plan, format, planned, options.Out);
   console.Progress("writing photographs", 0);
   ParallelForEach(
     plan.size(), [&](std::size_t i) { Transfer(plan[i], format, options.Out); },

@@ -5,6 +5,7 @@
 #include "DatasetFormats.h"
 #include "Error.h"
 #include "ImageFile.h"
+#include "InputFile.h"
 #include "Parallel.h"
 #include "ViewAccess.h"
 
@@ -135,6 +136,17 @@ std::string MissingMasks(
   }
   return any && !names.empty() ? "no mask, silhouette extracted: " + names : "";
 }
+
+/** What a calibration names is an input, whether it is read or left out. */
+void ProtectInputs(const fs::path& calibration, const std::vector<Photograph>& photographs)
+{
+  ProtectInput(calibration);
+  for (const Photograph& photograph : photographs)
+  {
+    ProtectInput(photograph.File);
+    ProtectInput(photograph.Mask);
+  }
+}
 }
 
 DatasetIndex ReadDatasetIndex(const fs::path& folder, const DatasetSource& source)
@@ -149,6 +161,7 @@ DatasetIndex ReadDatasetIndex(const fs::path& folder, const DatasetSource& sourc
   ApplyConvention(Override(calibration.Convention, source.Convention), calibration.Photographs);
   CheckCameras(calibration.Photographs, found.File);
   FindMasks(folder, calibration.Photographs);
+  ProtectInputs(found.File, calibration.Photographs);
   return { folder, found.File, found.Format->Name, std::move(calibration.Photographs) };
 }
 
@@ -160,6 +173,7 @@ std::vector<Photograph> ReadViewCameras(const fs::path& calibration)
   ApplyConvention(read.Convention, read.Photographs);
   CheckCameras(read.Photographs, found.File);
   FindMasks(folder, read.Photographs);
+  ProtectInputs(found.File, read.Photographs);
   return read.Photographs;
 }
 

@@ -10,6 +10,7 @@
 #include "EvaluationScores.h"
 #include "ImageFile.h"
 #include "ObjectMesh.h"
+#include "PhotographFiles.h"
 #include "RunReport.h"
 #include "SharedWork.h"
 #include "ViewAccess.h"
@@ -81,6 +82,12 @@ vtkSmartPointer<vtkImageData> Blackened(vtkImageData* picture)
   return result;
 }
 
+/** The picture of a view after a stage, in the out folder. */
+fs::path PictureOf(const std::string& view, const std::string& stage)
+{
+  return fs::path(PictureNameOf(view)).replace_extension("." + stage + ".png");
+}
+
 /** With pictures of more views a page would be larger than browsers like. */
 constexpr std::size_t MostShots = 24;
 
@@ -106,6 +113,37 @@ public:
 
   /** Whether this process writes the files. */
   bool Writes() const { return this->Work.Writes(); }
+
+  /** Every file that may be written, in the out folder. */
+  std::vector<fs::path> Files() const
+  {
+    std::vector<fs::path> files{ "scores.csv", "scores.json", "chart.png" };
+    if (this->Options.Page)
+    {
+      files.emplace_back("report.html");
+    }
+    if (!this->Options.Pictures)
+    {
+      return files;
+    }
+    files.emplace_back("overview.png");
+    std::vector<std::string> stages{ "oracle" };
+    for (int stage = 0; stage <= static_cast<int>(this->Options.UpTo); ++stage)
+    {
+      stages.push_back(StageName(static_cast<Stage>(stage)));
+    }
+    for (const PlannedSet& set : this->Plan.Sets)
+    {
+      for (const PlannedView& view : set.Views)
+      {
+        for (const std::string& stage : stages)
+        {
+          files.push_back(PictureOf(view.Name, stage));
+        }
+      }
+    }
+    return files;
+  }
 
   void Run()
   {
@@ -251,8 +289,8 @@ private:
       view.Stages.emplace_back(stage, scores);
       if (this->Options.Pictures)
       {
-        const fs::path name = fs::path(view.Name).replace_extension("." + stage + ".png");
-        WriteArray(this->Options.Out / name, result.Images[i], arrays::Color);
+        WriteArray(
+          this->Options.Out / PictureOf(view.Name, stage), result.Images[i], arrays::Color);
       }
     }
     if (this->Options.Page && this->Options.Pictures && this->Shots.size() < MostShots)
@@ -345,7 +383,7 @@ void EvaluateDataset(const EvaluateOptions& options, Console& console, ProcessGr
   Evaluation evaluation(options, index, console, processes);
   if (evaluation.Writes())
   {
-    PrepareFolder(options.Out);
+    PrepareFolder(options.Out, evaluation.Files());
   }
   evaluation.Run();
 }

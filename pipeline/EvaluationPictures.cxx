@@ -3,8 +3,8 @@
 
 #include "Canvas.h"
 #include "ErrorPicture.h"
+#include "ImageFile.h"
 #include "NumberText.h"
-#include "PngFile.h"
 #include "ScoreChart.h"
 #include "ViewAccess.h"
 
@@ -137,7 +137,7 @@ void Overview::AddRow(const OverviewRow& row)
 
 void Overview::Write(const std::filesystem::path& path)
 {
-  WritePng(path, this->Own->Sheet.Draw());
+  WriteArray(path, this->Own->Sheet.Draw(), arrays::Color);
 }
 
 //------------------------------------------------------------------------------
@@ -178,6 +178,6 @@ void DrawEvaluationChart(const std::string& title, const std::vector<EvaluatedVi
   };
   draw(&Scores::Rms, "RMS, grey levels", 10);
   draw(&Scores::Ssim, "SSIM", width / 2 + 10);
-  WritePng(path, canvas.Draw());
+  WriteArray(path, canvas.Draw(), arrays::Color);
 }
 }

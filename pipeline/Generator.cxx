@@ -3,10 +3,12 @@
 
 #include "AtomicFile.h"
 #include "Error.h"
+#include "ImageFile.h"
+#include "InputFile.h"
 #include "NumberText.h"
 #include "ObjectMesh.h"
 #include "Photographer.h"
-#include "PngFile.h"
+#include "PolyDataFile.h"
 #include "ScenePictures.h"
 #include "ViewAccess.h"
 
@@ -15,7 +17,6 @@
 #include <opencv2/imgproc.hpp>
 
 #include <vtkNew.h>
-#include <vtkPLYWriter.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -147,19 +148,6 @@ std::string PictureName(const std::string& stem, std::size_t id)
   return stem + digits + ".png";
 }
 
-void WriteTruth(const fs::path& path, vtkPolyData* mesh)
-{
-  WriteAtomically(path,
-    [mesh](const fs::path& temporary)
-    {
-      vtkNew<vtkPLYWriter> writer;
-      writer->SetInputData(mesh);
-      writer->SetFileName(temporary.c_str());
-      writer->SetFileTypeToBinary();
-      return writer->Write() == 1;
-    });
-}
-
 std::string OptionsText(const GeneratorOptions& options)
 {
   const nlohmann::ordered_json json = { { "mesh", options.Mesh.empty() ? "bunny" : options.Mesh },
@@ -185,8 +173,8 @@ void WriteHeldOut(Photographer& photographer, const std::vector<Camera>& cameras
   {
     const std::string name = PictureName("test", named.size());
     const RenderedPhotograph photograph = photographer.Take(camera);
-    WritePng(folder / name, photograph.Color.Ref());
-    WritePng(folder / "mask" / name, photograph.Coverage.Ref());
+    WriteImageFile(folder / name, photograph.Color.Ref());
+    WriteImageFile(folder / "mask" / name, photograph.Coverage.Ref());
     named.push_back({ name, camera });
     step();
   }
@@ -220,10 +208,10 @@ std::vector<vtkSmartPointer<vtkImageData>> WriteViews(Photographer& photographer
     const std::string name = PictureName(stem, viewId);
     const RenderedPhotograph photograph =
       TakeView(photographer, rig.Views[viewId], options, viewId);
-    WritePng(folder / name, photograph.Color.Ref());
+    WriteImageFile(folder / name, photograph.Color.Ref());
     if (options.Masks != "none")
     {
-      WritePng(folder / "mask" / name, photograph.Coverage.Ref());
+      WriteImageFile(folder / "mask" / name, photograph.Coverage.Ref());
     }
     named.push_back({ name, rig.Written[viewId] });
     thumbnails.push_back(Thumbnail(photograph.Color));
@@ -231,6 +219,29 @@ std::vector<vtkSmartPointer<vtkImageData>> WriteViews(Photographer& photographer
   }
   WriteCalibration(folder / (stem + "_par.txt"), named);
   return thumbnails;
+}
+
+/** Every file of the data set, in its folder. */
+std::vector<fs::path> FilesOfDataset(const GeneratorOptions& options)
+{
+  const std::string stem = ObjectName(options.Mesh);
+  std::vector<fs::path> files{ "truth.ply", "overview.png", "generate.json", stem + "_par.txt" };
+  const auto addPictures = [&files](
+                             const fs::path& folder, const std::string& name, std::size_t count)
+  {
+    for (std::size_t id = 0; id < count; ++id)
+    {
+      files.push_back(folder / PictureName(name, id));
+      files.push_back(folder / "mask" / PictureName(name, id));
+    }
+  };
+  addPictures("", stem, static_cast<std::size_t>(options.Views));
+  if (!options.TestAnglesDeg.empty())
+  {
+    addPictures("test", "test", options.TestAnglesDeg.size());
+    files.emplace_back("test/test_par.txt");
+  }
+  return files;
 }
 
 void WriteOverview(const fs::path& path, vtkPolyData* mesh, const Rig& rig,
@@ -268,12 +279,17 @@ void GenerateDataset(
     }
   };
 
+  for (const fs::path& file : FilesOfDataset(options))
+  {
+    AnnounceOutput(out / file);
+  }
+  RequireWritable(out);
   report("object", 0);
   vtkSmartPointer<vtkPolyData> mesh = LoadObject(options.Mesh);
   const Rig rig = MakeRig(mesh, options);
   Photographer photographer(
     mesh, { options.Texture, options.Lit, options.Seed }, options.Supersampling);
-  WriteTruth(out / "truth.ply", mesh);
+  WritePly(out / "truth.ply", mesh);
   report("photographs", 2);
   const auto photographs =
     WriteViews(photographer, rig, options, out, [&] { report("photographs", 1); });

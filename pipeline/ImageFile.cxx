@@ -3,6 +3,7 @@
 
 #include "AtomicFile.h"
 #include "Error.h"
+#include "InputFile.h"
 #include "OpenCvPixels.h"
 #include "StderrSilence.h"
 #include "ViewAccess.h"
@@ -15,10 +16,7 @@
 #include <vtkImageData.h>
 #include <vtkPointData.h>
 
-#include <array>
-#include <cstring>
-#include <fstream>
-#include <iterator>
+#include <limits>
 #include <mutex>
 #include <string>
 
@@ -28,43 +26,43 @@ namespace fs = std::filesystem;
 namespace
 {
 /**
- * Whether a JPEG file lacks the end of its picture. OpenCV fills what is missing with grey and says
- * nothing. Within the picture's data no marker can appear by chance, so after its start (FF DA)
- * there is an end (FF D9), or the file is cut.
+ * Whether the bytes of a JPEG file lack the end of the picture. OpenCV fills what is missing with
+ * grey and says nothing. Within the picture's data no marker can appear by chance, so after its
+ * start (FF DA) there is an end (FF D9), or the file is cut.
  */
-bool IsTruncatedJpeg(const fs::path& path)
+bool IsTruncatedJpeg(const std::string& bytes)
 {
-  std::ifstream file(path, std::ios::binary);
-  if (file.get() != 0xff || file.get() != 0xd8)
+  if (bytes.rfind("\xff\xd8", 0) != 0)
   {
     return false;
   }
-  const std::string rest((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  const std::size_t start = rest.rfind("\xff\xda");
-  return start == std::string::npos || rest.find("\xff\xd9", start) == std::string::npos;
+  const std::size_t start = bytes.rfind("\xff\xda");
+  return start == std::string::npos || bytes.find("\xff\xd9", start) == std::string::npos;
 }
 
 cv::Mat Decode(const fs::path& path, int flags)
 {
   SilenceOpenCv();
-  std::error_code failure;
-  if (!fs::exists(path, failure))
-  {
-    throw Error(path.string(), "no such file");
-  }
+  std::string bytes = ReadInputFile(path);
+  constexpr std::size_t most = std::numeric_limits<int>::max(); // OpenCV counts in int
   cv::Mat mat;
-  try
+  if (!bytes.empty() && bytes.size() <= most)
   {
-    const StderrSilence silence;
-    mat = cv::imread(path.string(), flags);
+    try
+    {
+      const StderrSilence silence;
+      mat = cv::imdecode(cv::Mat(1, static_cast<int>(bytes.size()), CV_8UC1, bytes.data()), flags);
+    }
+    catch (const cv::Exception&)
+    {
+      mat.release(); // the message would be about OpenCV's source code
+    }
   }
-  catch (const cv::Exception& error)
+  if (mat.empty() || IsTruncatedJpeg(bytes))
   {
-    throw Error(path.string(), "cannot be read as a picture: " + error.err);
-  }
-  if (mat.empty() || IsTruncatedJpeg(path))
-  {
-    throw Error(path.string(), "cannot be read as a picture");
+    throw Error(path.string(), "cannot be read as a picture",
+      bytes.empty() ? "an empty file" : std::to_string(bytes.size()) + " bytes",
+      "a whole PNG, JPEG, TIFF or other picture");
   }
   return mat;
 }
@@ -72,18 +70,25 @@ cv::Mat Decode(const fs::path& path, int flags)
 void Encode(const fs::path& path, const cv::Mat& mat)
 {
   SilenceOpenCv();
-  WriteAtomically(path,
-    [&](const fs::path& temporary)
+  std::vector<std::uint8_t> bytes;
+  try
+  {
+    const StderrSilence silence;
+    if (!cv::imencode(path.extension().string(), mat, bytes))
     {
-      try
-      {
-        return cv::imwrite(temporary.string(), mat);
-      }
-      catch (const cv::Exception& error)
-      {
-        throw Error(path.string(), "cannot be written as a picture: " + error.err);
-      }
-    });
+      bytes.clear();
+    }
+  }
+  catch (const cv::Exception&)
+  {
+    bytes.clear();
+  }
+  if (bytes.empty())
+  {
+    throw Error(path.string(), "cannot be written as a picture", path.extension().string(),
+      "an extension of a picture, as .png");
+  }
+  WriteTextAtomically(path, { reinterpret_cast<const char*>(bytes.data()), bytes.size() });
 }
 
 /**
@@ -92,10 +97,8 @@ void Encode(const fs::path& path, const cv::Mat& mat)
  */
 bool MayHaveAlpha(const fs::path& path)
 {
-  std::array<unsigned char, 26> head{};
-  std::ifstream file(path, std::ios::binary);
-  file.read(reinterpret_cast<char*>(head.data()), head.size());
-  if (file && std::memcmp(head.data() + 1, "PNG\r\n", 5) == 0)
+  const std::string head = ReadInputStart(path, 26);
+  if (head.size() == 26 && head.compare(1, 5, "PNG\r\n") == 0)
   {
     return head[25] & 4; // colour type: 4 = grey and alpha, 6 = colour and alpha
   }
@@ -210,13 +213,12 @@ void WriteFloatFile(const fs::path& path, const ImageRef<const float>& pixels)
 PictureSize ReadPictureSize(const fs::path& path)
 {
   // A PNG file: 8 bytes of signature, the length and name of the first chunk, then the size.
-  std::array<unsigned char, 24> head{};
-  std::ifstream file(path, std::ios::binary);
-  file.read(reinterpret_cast<char*>(head.data()), head.size());
-  if (file && std::memcmp(head.data() + 1, "PNG\r\n", 5) == 0)
+  const std::string head = ReadInputStart(path, 24);
+  if (head.size() == 24 && head.compare(1, 5, "PNG\r\n") == 0)
   {
-    const auto number = [&head](int at)
-    { return head[at] << 24 | head[at + 1] << 16 | head[at + 2] << 8 | head[at + 3]; };
+    const auto byte = [&head](int at) { return static_cast<unsigned char>(head[at]); };
+    const auto number = [&byte](int at)
+    { return byte(at) << 24 | byte(at + 1) << 16 | byte(at + 2) << 8 | byte(at + 3); };
     return { number(16), number(20) };
   }
   const cv::Mat mat = Decode(path, cv::IMREAD_GRAYSCALE | cv::IMREAD_IGNORE_ORIENTATION);

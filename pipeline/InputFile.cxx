@@ -52,7 +52,8 @@ fs::path Resolved(const fs::path& file)
 
 bool Identify(const fs::path& file, struct stat& status)
 {
-  return ::stat(file.c_str(), &status) == 0 || ::stat(Resolved(file).c_str(), &status) == 0;
+  return !file.empty() &&
+    (::stat(file.c_str(), &status) == 0 || ::stat(Resolved(file).c_str(), &status) == 0);
 }
 
 FileIdentity IdentityOf(const struct stat& status)
@@ -77,8 +78,8 @@ std::string KindOf(const struct stat& status)
 {
   const bool same = output == input;
   throw Error(output.string(),
-    "would be replaced, but this run reads it" +
-      (same ? std::string() : " as " + input.string()) + "; write to another place");
+    "would be replaced, but this run reads it" + (same ? std::string() : " as " + input.string()) +
+      "; write to another place");
 }
 
 /** With Guard locked. */
@@ -121,7 +122,7 @@ public:
       throw Error(file.string(),
         errno == ENOENT || errno == ENOTDIR ? "no such file" : "cannot be read: " + Reason(errno));
     }
-    struct stat status{};
+    struct stat status = {};
     if (::fstat(this->Descriptor, &status) != 0 || !S_ISREG(status.st_mode))
     {
       ::close(this->Descriptor);
@@ -212,7 +213,7 @@ std::string ReadInputStart(const fs::path& file, std::size_t count)
 
 void ProtectInput(const fs::path& file)
 {
-  struct stat status{};
+  struct stat status = {};
   const std::lock_guard lock(Guard);
   if (Protecting && Identify(file, status))
   {
@@ -222,37 +223,45 @@ void ProtectInput(const fs::path& file)
 
 void AnnounceOutput(const fs::path& file)
 {
-  const fs::path resolved = Resolved(file);
-  struct stat status{};
-  const bool exists = Identify(file, status);
-  if (exists && !S_ISREG(status.st_mode))
-  {
-    throw Error(file.string(), "cannot be replaced by a file", KindOf(status), "a name to write to");
-  }
+  RequireReplaceable(file);
+  struct stat status = {};
   const std::lock_guard lock(Guard);
   if (!Protecting)
   {
     return;
   }
-  if (exists)
-  {
-    RefuseInput(file, status);
-  }
-  if (!Known.AnnouncedPaths.insert(resolved).second)
+  if (!Known.AnnouncedPaths.insert(Resolved(file)).second)
   {
     throw Error(file.string(), "would be written twice; two results have this name");
   }
-  if (exists)
+  if (Identify(file, status))
   {
     Known.Announced.emplace(IdentityOf(status), file);
   }
 }
 
-void RequireNoInput(const fs::path& file)
+bool IsInput(const fs::path& file)
 {
-  struct stat status{};
+  struct stat status = {};
   const std::lock_guard lock(Guard);
-  if (Protecting && Identify(file, status))
+  return Protecting && Identify(file, status) && Known.Inputs.count(IdentityOf(status)) > 0 &&
+    Known.Replaceable.count(IdentityOf(status)) == 0;
+}
+
+void RequireReplaceable(const fs::path& file)
+{
+  struct stat status = {};
+  if (!Identify(file, status))
+  {
+    return;
+  }
+  if (!S_ISREG(status.st_mode))
+  {
+    throw Error(
+      file.string(), "cannot be replaced by a file", KindOf(status), "a file, or nothing there");
+  }
+  const std::lock_guard lock(Guard);
+  if (Protecting)
   {
     RefuseInput(file, status);
   }
@@ -260,7 +269,7 @@ void RequireNoInput(const fs::path& file)
 
 void NoteWritten(const fs::path& file)
 {
-  struct stat status{};
+  struct stat status = {};
   const std::lock_guard lock(Guard);
   if (Protecting && Identify(file, status))
   {
@@ -270,7 +279,7 @@ void NoteWritten(const fs::path& file)
 
 void AllowReplacing(const fs::path& file)
 {
-  struct stat status{};
+  struct stat status = {};
   const std::lock_guard lock(Guard);
   if (Protecting && Identify(file, status))
   {

@@ -2,7 +2,7 @@
 /**
  * The files that a run reads, and the promise that none of them is replaced by what the same run
  * writes. Files are told apart by device and inode, so that a link to a photograph is the
- * photograph. Readers take their bytes from here; writers ask here (see OutputFile.h).
+ * photograph. Readers take their bytes from here; writers ask here (see AtomicFile.h).
  *
  * The promise holds while an InputProtection lives; without one nothing is remembered, so that other
  * programs may use the readers and writers as they like. Every function may be called by several
@@ -43,13 +43,16 @@ std::string ReadInputStart(const std::filesystem::path& file, std::size_t count)
 void ProtectInput(const std::filesystem::path& file);
 
 /**
- * Tells that a file will be written. Throws Error when it is an input, is announced already, or is
- * there and no regular file.
+ * Tells that a file will be written. Throws Error as RequireReplaceable() does, and when it is
+ * announced already.
  */
 void AnnounceOutput(const std::filesystem::path& file);
 
-/** Throws Error when a file, which is about to be written, is an input. */
-void RequireNoInput(const std::filesystem::path& file);
+/** Whether a file is an input that may not be replaced. */
+bool IsInput(const std::filesystem::path& file);
+
+/** Throws Error when a file, which is about to be written, is an input, or no regular file. */
+void RequireReplaceable(const std::filesystem::path& file);
 
 /** Takes note that a file has been written: whoever reads it now reads no input. */
 void NoteWritten(const std::filesystem::path& file);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Job.h"
 
-#include "AtomicFile.h"
 #include "DatasetFormats.h"
 #include "ModelFile.h"
 #include "UsageError.h"
@@ -552,10 +551,10 @@ EvaluateOptions MakeEvaluateOptions(const fs::path& dataset, const GivenOptions&
   return options;
 }
 
-void WriteJob(const Job& job, const fs::path& path)
+std::string JobText(const Job& job)
 {
   Job copy = job;
-  copy.Out = fs::absolute(path).parent_path();
-  WriteTextAtomically(path, ToJson(OptionsOf(copy), copy.Out).dump(2) + "\n");
+  copy.Out = (fs::absolute(job.Out) / "job.json").parent_path();
+  return ToJson(OptionsOf(copy), copy.Out).dump(2) + "\n";
 }
 }

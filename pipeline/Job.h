@@ -196,10 +196,10 @@ CheckOptions MakeCheckOptions(const std::filesystem::path& dataset, const GivenO
 MaskOptions MakeMaskOptions(const std::filesystem::path& dataset, const GivenOptions& given);
 
 /**
- * Writes every option of the job that can change its result, so that running the file does the same
- * again: out is ".", the folder of the file; other paths are absolute.
+ * A job file in the job's out folder: every option that can change the result, so that running the
+ * file does the same again. out is ".", the folder of the file; other paths are absolute.
  */
-void WriteJob(const Job& job, const std::filesystem::path& path);
+std::string JobText(const Job& job);
 }
 
 #endif

@@ -7,6 +7,7 @@
 #include "Error.h"
 #include "GrabCutMask.h"
 #include "ImageFile.h"
+#include "InputFile.h"
 #include "MaskSheet.h"
 #include "Parallel.h"
 #include "PhotographFiles.h"
@@ -102,6 +103,32 @@ std::vector<MaskTask> PlanMasks(const MaskOptions& options)
   return tasks;
 }
 
+bool IsPhotograph(const fs::path& file, const std::vector<MaskTask>& tasks)
+{
+  std::error_code failure;
+  return std::any_of(tasks.begin(), tasks.end(),
+    [&](const MaskTask& task) { return fs::equivalent(task.Photo, file, failure); });
+}
+
+/** Announces the masks and the contact sheet; masks that are there may be replaced if so wished. */
+void AnnounceMasks(
+  const std::vector<MaskTask>& tasks, const fs::path& sheet, const MaskOptions& options)
+{
+  for (const MaskTask& task : tasks)
+  {
+    ProtectInput(task.Photo);
+    if (options.InPlace && options.Overwrite && !IsPhotograph(task.Target, tasks))
+    {
+      AllowReplacing(task.Target);
+    }
+  }
+  for (const MaskTask& task : tasks)
+  {
+    AnnounceOutput(task.Target);
+  }
+  PrepareFolder(sheet.parent_path(), { sheet.filename() });
+}
+
 Image<std::uint8_t> AlphaMask(const fs::path& photograph)
 {
   Image<std::uint8_t> mask = ReadAlphaFile(photograph);
@@ -186,7 +213,7 @@ void WriteMasks(const MaskOptions& options, Console& console)
   std::vector<MaskTask> tasks = PlanMasks(options);
   const fs::path sheet =
     (options.InPlace ? options.Dataset / "mask" : options.Out) / "contact-sheet.png";
-  PrepareFolder(sheet.parent_path());
+  AnnounceMasks(tasks, sheet, options);
   console.Progress("masks", 0);
   ParallelForEach(
     tasks.size(), [&](std::size_t i) { MakeMask(tasks[i], options); }, console.ProgressOf("masks"));

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "MeshCommand.h"
 
+#include "AtomicFile.h"
 #include "CommandSupport.h"
+#include "InputFile.h"
 #include "Model.h"
 #include "ModelFile.h"
 #include "Threads.h"
@@ -11,6 +13,18 @@
 namespace novelview
 {
 namespace fs = std::filesystem;
+
+void PrepareModelFiles(const std::vector<fs::path>& files)
+{
+  for (const fs::path& file : files)
+  {
+    for (const fs::path& part : FilesOfModel(file))
+    {
+      AnnounceOutput(part);
+    }
+    RequireWritable(fs::absolute(file).parent_path());
+  }
+}
 
 void WriteModelFiles(const TriangleMesh& mesh, vtkMultiBlockDataSet* views,
   const SynthesisOptions& synthesis, int textureSizePx, const std::vector<fs::path>& files,
@@ -38,10 +52,7 @@ void MakeMesh(const MeshOptions& options, Console& console)
 {
   SetNumberOfThreads(options.Threads);
   const DatasetIndex index = FindInput(options.Input);
-  for (const fs::path& file : options.Out)
-  {
-    PrepareFolder(fs::absolute(file).parent_path());
-  }
+  PrepareModelFiles(options.Out);
   const Dataset dataset = ReadInput(options.Input, index, {}, console);
   Synthesis synthesis(dataset.Views, options.Synthesis, ListenerFor(console));
   vtkMultiBlockDataSet* views = synthesis.Photographs();

@@ -11,6 +11,9 @@ namespace novelview
 /** `novelview mesh`: the whole object as files for other programs. Throws Error. */
 void MakeMesh(const MeshOptions& options, Console& console);
 
+/** Announces the files of a mesh and proves that their folders can be written. Throws Error. */
+void PrepareModelFiles(const std::vector<std::filesystem::path>& files);
+
 /** Colours a mesh from the views and writes it into every file; says where. Throws Error. */
 void WriteModelFiles(const TriangleMesh& mesh, vtkMultiBlockDataSet* views,
   const SynthesisOptions& synthesis, int textureSizePx,

@@ -6,22 +6,17 @@
 #include "GltfFile.h"
 #include "ImageFile.h"
 #include "NumberText.h"
+#include "PolyDataFile.h"
 #include "UsageError.h"
 #include "ViewAccess.h"
 
 #include <vtkFloatArray.h>
 #include <vtkNew.h>
-#include <vtkOBJWriter.h>
-#include <vtkPLYWriter.h>
 #include <vtkPointData.h>
-#include <vtkSTLWriter.h>
 #include <vtkUnsignedCharArray.h>
-#include <vtkXMLPolyDataWriter.h>
 
 #include <algorithm>
 #include <array>
-#include <fstream>
-#include <iterator>
 
 namespace novelview
 {
@@ -72,18 +67,6 @@ vtkSmartPointer<vtkPolyData> AtlasPolyData(const TexturedModel& model)
   return poly;
 }
 
-template <class Writer>
-void WriteByVtk(Writer* writer, vtkPolyData* poly, const fs::path& file)
-{
-  WriteAtomically(file,
-    [&](const fs::path& temporary)
-    {
-      writer->SetInputData(poly);
-      writer->SetFileName(temporary.c_str());
-      return writer->Write() == 1;
-    });
-}
-
 /** The texture first and the mesh that names it last. */
 void WriteObj(const TexturedModel& model, const fs::path& file)
 {
@@ -94,25 +77,9 @@ void WriteObj(const TexturedModel& model, const fs::path& file)
   WriteTextAtomically(material,
     "newmtl photographs\nKa 1 1 1\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Ka " +
       texture.filename().string() + "\nmap_Kd " + texture.filename().string() + "\n");
-  WriteAtomically(file,
-    [&](const fs::path& temporary)
-    {
-      vtkNew<vtkOBJWriter> writer;
-      writer->SetInputData(AtlasPolyData(model));
-      writer->SetFileName(temporary.c_str());
-      if (writer->Write() != 1)
-      {
-        return false;
-      }
-      // VTK's own material would be named after the temporary file.
-      std::ifstream written(temporary, std::ios::binary);
-      const std::string geometry{ std::istreambuf_iterator<char>(written),
-        std::istreambuf_iterator<char>() };
-      written.close();
-      std::ofstream whole(temporary, std::ios::binary);
-      whole << "mtllib " << material.filename().string() << "\nusemtl photographs\n" << geometry;
-      return static_cast<bool>(whole.flush());
-    });
+  WriteTextAtomically(file,
+    ObjText(
+      AtlasPolyData(model), "mtllib " + material.filename().string() + "\nusemtl photographs\n"));
 }
 }
 
@@ -150,23 +117,25 @@ void WriteModelFile(const TexturedModel& model, const fs::path& file)
   }
   else if (kind == ".ply")
   {
-    vtkNew<vtkPLYWriter> writer;
-    writer->SetArrayName(arrays::Color);
-    WriteByVtk(writer.Get(), ColouredPolyData(model), file);
+    WritePly(file, ColouredPolyData(model));
   }
   else if (kind == ".vtp")
   {
-    // Appended data, the default, cannot be read where expat is newer than VTK knows, as in Debian
-    // 12's ParaView 5.11; arrays in their places can.
-    vtkNew<vtkXMLPolyDataWriter> writer;
-    writer->SetDataModeToBinary();
-    WriteByVtk(writer.Get(), ColouredPolyData(model), file);
+    WriteVtp(file, ColouredPolyData(model), VtpCompressor::Zlib);
   }
   else
   {
-    vtkNew<vtkSTLWriter> writer;
-    writer->SetFileTypeToBinary();
-    WriteByVtk(writer.Get(), ColouredPolyData(model), file);
+    WriteStl(file, ColouredPolyData(model));
   }
+}
+
+std::vector<fs::path> FilesOfModel(const fs::path& file)
+{
+  if (KindOf(file) != ".obj")
+  {
+    return { file };
+  }
+  return { fs::path(file).replace_extension(".jpg"), fs::path(file).replace_extension(".mtl"),
+    file };
 }
 }

@@ -27,6 +27,9 @@ std::string ModelFileKinds();
 /** Throws UsageError, naming `option`, when a file is of no such kind or is named twice. */
 void CheckModelFiles(const std::vector<std::filesystem::path>& files, const std::string& option);
 
+/** The files that WriteModelFile() makes for this one; it is the last of them. */
+std::vector<std::filesystem::path> FilesOfModel(const std::filesystem::path& file);
+
 /** Writes the file (and what belongs beside it) atomically. Throws Error. */
 void WriteModelFile(const TexturedModel& model, const std::filesystem::path& file);
 }

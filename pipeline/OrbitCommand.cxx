@@ -6,6 +6,7 @@
 #include "Error.h"
 #include "FramePlan.h"
 #include "ImageFile.h"
+#include "InputFile.h"
 #include "Middlebury.h"
 #include "SharedWork.h"
 #include "VideoFile.h"
@@ -30,6 +31,18 @@ std::string FrameName(std::size_t frame)
 fs::path FramesFolder(const OrbitOptions& options)
 {
   return !options.FramesDir.empty() || IsVideoName(options.Out) ? options.FramesDir : options.Out;
+}
+
+/** What FrameFolder writes into its folder. */
+std::vector<fs::path> FilesOfFrames(std::size_t count)
+{
+  std::vector<fs::path> files{ "frames_par.txt" };
+  for (std::size_t frame = 0; frame < count; ++frame)
+  {
+    files.emplace_back(FrameName(frame));
+    files.push_back(fs::path("mask") / FrameName(frame));
+  }
+  return files;
 }
 
 /** A name that looks like a file's, but of no video, is a slip and not a folder. */
@@ -136,10 +149,14 @@ void FilmOrbit(const OrbitOptions& options, Console& console, ProcessGroup& proc
   const bool video = IsVideoName(options.Out);
   if (work.Writes())
   {
-    PrepareFolder(video ? fs::absolute(options.Out).parent_path() : options.Out);
-    if (!options.FramesDir.empty())
+    if (video)
     {
-      PrepareFolder(options.FramesDir);
+      AnnounceOutput(options.Out);
+      RequireWritable(fs::absolute(options.Out).parent_path());
+    }
+    if (const fs::path folder = FramesFolder(options); !folder.empty())
+    {
+      PrepareFolder(folder, FilesOfFrames(cameras.size()));
     }
   }
   const auto film = [&](VideoFile* to)

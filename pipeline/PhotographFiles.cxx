@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "PhotographFiles.h"
 
+#include "Error.h"
 #include "NumberText.h"
 
 #include <algorithm>
@@ -157,5 +158,18 @@ std::string NameOfFile(const fs::path& file)
     }
   }
   return name.string();
+}
+
+std::string PictureNameOf(const std::string& view)
+{
+  constexpr std::array Written{ ".png", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp", ".ppm", ".webp" };
+  const std::string name = NameOfFile(view);
+  if (name.empty())
+  {
+    throw Error("view '" + view + "'", "has a name that no file can have");
+  }
+  const std::string extension = LowerCase(fs::path(name).extension().string());
+  const bool known = std::find(Written.begin(), Written.end(), extension) != Written.end();
+  return known ? name : name + ".png";
 }
 }

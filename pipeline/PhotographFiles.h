@@ -37,6 +37,12 @@ std::filesystem::path FileIn(
  * anything that leads out of it; a leading images/ is left out.
  */
 std::string NameOfFile(const std::filesystem::path& file);
+
+/**
+ * The name of a view's picture in the folder that it is written into: NameOfFile(), with .png after
+ * it where there is no extension of a format that can be written. Throws Error when nothing is left.
+ */
+std::string PictureNameOf(const std::string& view);
 }
 
 #endif

@@ -9,6 +9,7 @@
 #include "Metrics.h"
 #include "ObjectMesh.h"
 #include "Parallel.h"
+#include "PhotographFiles.h"
 #include "ReportPictures.h"
 #include "RunPage.h"
 #include "RunReport.h"
@@ -113,9 +114,9 @@ void WriteRig(const Job& job, const std::string& title, const Camera& novel,
 }
 
 /** report.html: last, since it shows what is in the other files and how long they took. */
-void WritePage(RunPageInput input, const Console& console)
+void WritePage(RunPageInput input, const std::string& jobText, const Console& console)
 {
-  input.Job = ReadJsonFile(input.Folder / "job.json");
+  input.Job = nlohmann::ordered_json::parse(jobText);
   input.Timings = nlohmann::ordered_json::parse(console.TimingsText());
   WriteTextAtomically(input.Folder / "report.html", RunPageHtml(input));
 }
@@ -142,7 +143,11 @@ void RunJob(const Job& job, Console& console)
   const DatasetIndex index = FindInput(job.Input);
   const ResolvedView view = ResolveViewSpec(job.View, index);
   ValidateCamera(view.Cam, "novel camera");
-  PrepareFolder(job.Out);
+  PrepareModelFiles(job.MeshOut);
+  const std::string jobText = JobText(job);
+  AnnounceText(job.Out / "job.json", jobText);
+  PrepareFolder(job.Out,
+    FilesOfRun(job.UpTo, job.Synthesis.OutlineIterations, job.Synthesis.NonOutlineIterations));
   const auto truth = TruthOf(job, view);
   const auto trueMesh = job.TrueMesh.empty() ? nullptr : LoadObject(job.TrueMesh.string());
   const Dataset dataset = ReadInput(job.Input, index,
@@ -184,7 +189,7 @@ void RunJob(const Job& job, Console& console)
     {
       WriteReport(stages, oracle, synthesis, report);
       report.Finish(desktop.Title);
-      WriteJob(job, job.Out / "job.json");
+      WriteTextAtomically(job.Out / "job.json", jobText);
       if (job.Page)
       {
         WriteRig(job, desktop.Title, view.Cam, dataset.Views, synthesis.Crust());
@@ -192,7 +197,7 @@ void RunJob(const Job& job, Console& console)
     });
   if (job.Page)
   {
-    console.RunTimed("report", [&] { WritePage(page, console); });
+    console.RunTimed("report", [&] { WritePage(page, jobText, console); });
   }
 
   TellResult(job, report, console);
@@ -203,10 +208,20 @@ void RenderJob(const RenderOptions& options, Console& console, ProcessGroup& pro
   SharedWork work(console, processes, options.Threads);
   const DatasetIndex index = FindInput(options.Input);
   const std::vector<Photograph> cameras = ReadViewCameras(options.Cameras);
+  std::vector<fs::path> pictures;
+  for (const Photograph& camera : cameras)
+  {
+    pictures.emplace_back(PictureNameOf(camera.Name));
+  }
   Dataset dataset;
   if (work.Writes())
   {
-    PrepareFolder(options.Out);
+    std::vector<fs::path> files = pictures;
+    for (const fs::path& picture : pictures)
+    {
+      files.push_back("mask" / picture);
+    }
+    PrepareFolder(options.Out, files);
     dataset = ReadInput(options.Input, index, {}, console);
   }
   const auto synthesis = work.Prepare(dataset.Views, options.Synthesis);
@@ -224,7 +239,7 @@ void RenderJob(const RenderOptions& options, Console& console, ProcessGroup& pro
   };
   const auto take = [&](std::size_t item, const WorkResult& result)
   {
-    const std::string& name = cameras[item].Name;
+    const fs::path& name = pictures[item];
     console.RunTimed("report",
       [&]
       {

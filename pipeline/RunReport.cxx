@@ -4,6 +4,7 @@
 #include "AtomicFile.h"
 #include "Error.h"
 #include "ImageFile.h"
+#include "PolyDataFile.h"
 #include "Threads.h"
 #include "ViewAccess.h"
 
@@ -16,7 +17,6 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 #include <vtkVersion.h>
-#include <vtkXMLPolyDataWriter.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -119,6 +119,40 @@ std::string StageName(Stage stage)
   return "full";
 }
 
+std::vector<fs::path> FilesOfRun(Stage upTo, int outlineIterations, int nonOutlineIterations)
+{
+  std::vector<fs::path> files{ "novel.png", "novel_mask.png", "novel_depth.tiff",
+    "novel_unseen.png", "truth.png", "rms_outline.csv", "rms_nonoutline.csv", "rms.png", "rig.png",
+    "summary.json", "report.html", "meshes/iterations.pvd", "meshes/visual_hull.vtp",
+    "meshes/power_crust.vtp", "meshes/medial_balls.vtp" };
+  std::vector<std::string> stages{ "oracle" };
+  for (int stage = 0; stage <= static_cast<int>(upTo); ++stage)
+  {
+    stages.push_back(StageName(static_cast<Stage>(stage)));
+    files.push_back("meshes/" + stages.back() + ".vtp");
+  }
+  for (const std::string& stage : stages)
+  {
+    for (const char* end : { ".png", "_mask.png", "_error.png" })
+    {
+      files.push_back("stages/" + stage + end);
+    }
+  }
+  const auto addIterations = [&files](Stage step, int count)
+  {
+    for (int iteration = 0; iteration <= count; ++iteration)
+    {
+      const std::string name = IterationName(step, iteration);
+      files.push_back("iterations/" + name + ".png");
+      files.push_back("iterations/" + name + "_desktop.png");
+      files.push_back("meshes/iterations/" + name + ".vtp");
+    }
+  };
+  addIterations(Stage::Outline, outlineIterations);
+  addIterations(Stage::Full, nonOutlineIterations);
+  return files;
+}
+
 RunReport::RunReport(fs::path folder, vtkImageData* truth)
   : Folder(std::move(folder))
   , Truth(truth)
@@ -163,16 +197,8 @@ void RunReport::WriteNovel(vtkImageData* image) const
 
 void RunReport::WriteMesh(const std::string& name, vtkPolyData* mesh) const
 {
-  WriteAtomically(this->Folder / "meshes" / (name + ".vtp"),
-    [mesh](const fs::path& temporary)
-    {
-      vtkNew<vtkXMLPolyDataWriter> writer;
-      writer->SetInputData(WithCells(mesh));
-      writer->SetDataModeToBinary();    // some readers fail on appended data, see ModelFile.cxx
-      writer->SetCompressorTypeToLZ4(); // zlib takes longer than most stages
-      writer->SetFileName(temporary.c_str());
-      return writer->Write() == 1;
-    });
+  // LZ4, since zlib takes longer than most stages.
+  WriteVtp(this->Folder / "meshes" / (name + ".vtp"), WithCells(mesh), VtpCompressor::Lz4);
 }
 
 void RunReport::AddIteration(const IterationState& state, DesktopState* desktop)

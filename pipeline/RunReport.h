@@ -27,6 +27,13 @@ nlohmann::ordered_json VersionsJson();
 /** What the files of an iteration are called: outline_NN or nonoutline_NN. */
 std::string IterationName(Stage step, int iteration);
 
+/**
+ * The files, in its folder, that a run may leave: all of a run's to the stage `upTo` with so many
+ * iterations of both deformers, whether or not there is a truth to compare with.
+ */
+std::vector<std::filesystem::path> FilesOfRun(
+  Stage upTo, int outlineIterations, int nonOutlineIterations);
+
 /** A line of the tables: what IterationState tells, with the scores where there is a truth. */
 struct TableRow
 {

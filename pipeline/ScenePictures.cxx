@@ -4,8 +4,8 @@
 #include "Canvas.h"
 #include "Error.h"
 #include "ErrorPicture.h"
+#include "ImageFile.h"
 #include "NumberText.h"
-#include "PngFile.h"
 #include "SceneActors.h"
 #include "ScoreChart.h"
 #include "ViewAccess.h"
@@ -142,7 +142,7 @@ void DrawRig(const RigPicture& rig, const std::filesystem::path& path)
         (rig.HeldOut.size() == 1 ? "" : "s"),
       box.X + 20, y + 26, { 17, colours::Novel });
   }
-  WritePng(path, canvas.Draw());
+  WriteArray(path, canvas.Draw(), arrays::Color);
 }
 
 namespace
@@ -326,7 +326,7 @@ void DrawDesktop(DesktopState& state, const std::filesystem::path& path)
   const int rightX = left.X + left.Width + Gap;
   DrawMeshScene(canvas, left, state);
   DrawPicturePanels(canvas, { rightX, top, DesktopWidth - rightX - Gap, height }, state);
-  WritePng(path, canvas.Draw());
+  WriteArray(path, canvas.Draw(), arrays::Color);
 }
 
 //------------------------------------------------------------------------------
@@ -358,6 +358,6 @@ void DrawCharts(const std::string& title, const std::vector<HistoryRow>& history
     canvas.AddChart(
       NewScoreChart(history, style), { chartWidth + 10, 56, chartWidth - 20, height - 66 }, paper);
   }
-  WritePng(path, canvas.Draw());
+  WriteArray(path, canvas.Draw(), arrays::Color);
 }
 }

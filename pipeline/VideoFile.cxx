@@ -3,6 +3,7 @@
 
 #include "Error.h"
 #include "StderrSilence.h"
+#include "VideoContainer.h"
 #include "video/VideoEncoder.h"
 
 #include <dlfcn.h>
@@ -124,6 +125,7 @@ std::unique_ptr<VideoEncoder> NewEncoder()
 class VideoFile::Internals
 {
 public:
+  fs::path Path;
   cv::Size Size;
   std::unique_ptr<VideoEncoder> Encoder;
   cv::Mat Padded;
@@ -148,6 +150,7 @@ std::string VideoExtensions()
 VideoFile::VideoFile(const fs::path& path, int width, int height, double fps)
   : Own(std::make_unique<Internals>())
 {
+  this->Own->Path = path;
   this->Own->Size = cv::Size(width, height);
   this->Own->Padded = cv::Mat::zeros(height + height % 2, width + width % 2, CV_8UC3);
   // Before the rest: libraries may count processors or start threads when they are loaded.
@@ -199,6 +202,6 @@ bool VideoFile::Close()
 {
   const StderrSilence silence;
   // OpenCV does not say when it could not write, e.g. on a full disk.
-  return this->Own->Encoder->Close() == this->Own->Frames;
+  return this->Own->Encoder->Close() == this->Own->Frames && IsWholeVideo(this->Own->Path);
 }
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "AtomicFile.h"
 #include "ImageFile.h"
 #include "Job.h"
 #include "Middlebury.h"
@@ -158,7 +159,7 @@ TEST(Job, WrittenJobIsCompleteAndReadsBackTheSame)
   given.emplace_back("threads", std::vector<std::string>{ "2" });
   Job job = MakeJob("bunny", given);
   job.Out = folder / "results";
-  WriteJob(job, job.Out / "job.json");
+  WriteTextAtomically(job.Out / "job.json", JobText(job));
   Job again = MakeJob(job.Out / "job.json", {});
   EXPECT_EQ(again.Out.lexically_normal(), (folder / "results/").lexically_normal());
   EXPECT_EQ(again.Input.Dataset, std::filesystem::absolute("bunny"));
@@ -169,8 +170,9 @@ TEST(Job, WrittenJobIsCompleteAndReadsBackTheSame)
   EXPECT_FALSE(object.contains("threads"));
   EXPECT_EQ(object["out"], ".");
   // Written again, wherever it is, the same bytes.
-  WriteJob(again, folder / "elsewhere/job.json");
-  EXPECT_EQ(ReadText(folder / "elsewhere/job.json"), ReadText(job.Out / "job.json"));
+  EXPECT_EQ(JobText(again), ReadText(job.Out / "job.json"));
+  again.Out = folder / "elsewhere";
+  EXPECT_EQ(JobText(again), ReadText(job.Out / "job.json"));
 }
 
 TEST(Job, BadJobFilesAreNamed)
