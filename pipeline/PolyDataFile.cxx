@@ -127,7 +127,7 @@ void WriteStl(const fs::path& file, vtkPolyData* mesh)
 {
   constexpr std::size_t headSize = 80;
   std::string bytes = "Visualization Toolkit generated SLA File";
-  bytes.resize(headSize, ' ');
+  bytes.resize(headSize);
   Append(bytes, static_cast<std::uint32_t>(mesh->GetPolys()->GetNumberOfCells()));
   ForEachPolygon(mesh,
     [&](vtkIdType count, const vtkIdType* ptIds)

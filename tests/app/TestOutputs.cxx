@@ -38,7 +38,7 @@ protected:
     EXPECT_THAT(end.Err, testing::StartsWith("novelview: error: "));
     EXPECT_THAT(end.Err, HasSubstr(named));
     EXPECT_EQ(std::count(end.Err.begin(), end.Err.end(), '\n'), 1) << end.Err;
-    EXPECT_EQ(FilesBelow(this->Folder.Path), before);
+    EXPECT_TRUE(FilesBelow(this->Folder.Path) == before) << "a file has changed";
   }
 
   /** Runs with files limited to so many blocks of 512 bytes, which fails as a full disk does. */
@@ -125,8 +125,10 @@ TEST_F(Outputs, ConvertUndistortingInPlaceDoesNotReplacePhotographs)
   const fs::path user = this->Folder / "user";
   MustRun({ "convert", this->Data.string(), (user / "photos").string(), "--format", "nerf", "-q" });
   fs::create_directory(user / "calib");
-  std::string transforms = Replaced(ReadText(user / "photos/transforms.json"), "\"file_path\": \"",
-    "\"k1\": 0.01, \"file_path\": \"../photos/");
+  std::string transforms = ReadText(user / "photos/transforms.json");
+  transforms =
+    Replaced(transforms, "\"file_path\": \"", "\"k1\": 0.01, \"file_path\": \"../photos/");
+  transforms = Replaced(transforms, "\"mask_path\": \"", "\"mask_path\": \"../photos/");
   WriteText(user / "calib/transforms.json", transforms);
   fs::remove(user / "photos/transforms.json");
   const std::vector<std::string> words{ "convert", (user / "calib").string(), user.string(),
@@ -135,7 +137,7 @@ TEST_F(Outputs, ConvertUndistortingInPlaceDoesNotReplacePhotographs)
   // Without undistorting the photographs stay as they are, and only the calibration is new.
   const auto before = FilesBelow(user / "photos");
   MustRun(words);
-  EXPECT_EQ(FilesBelow(user / "photos"), before);
+  EXPECT_TRUE(FilesBelow(user / "photos") == before);
 }
 
 TEST_F(Outputs, GenerateDoesNotReplaceTheMeshItReads)
@@ -184,7 +186,7 @@ TEST_F(Outputs, AJobRunsAgainInItsPlace)
     Coarse));
   const auto before = FilesBelow(out);
   MustRun({ "run", (out / "job.json").string(), "--quiet" });
-  EXPECT_EQ(FilesBelow(out), before);
+  EXPECT_TRUE(FilesBelow(out) == before);
   this->ExpectRefused(
     { "run", (out / "job.json").string(), "--quiet", "--hull-spacing", "9" }, "job.json");
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "TestSupport.h"
+#include "VideoContainer.h"
 #include "VideoFile.h"
 
 #include <opencv2/videoio.hpp>
@@ -94,4 +95,22 @@ TEST(VideoFile, WhatCannotBeWrittenIsSaid)
     [&] { VideoFile(folder / "no/a.mp4", 80, 60, 12); }, "no such video", "tried avc1, mp4v");
   VideoFile video(folder / "a.mp4", 80, 60, 12);
   ExpectError([&] { video.Add(Frame(90, 60, 0).Ref()); }, "frame 0: is not of the video's size");
+}
+
+TEST(VideoFile, ACutFileIsTold)
+{
+  const TemporaryFolder folder;
+  for (const char* name : { "a.mp4", "a.mov", "a.mkv", "a.avi" })
+  {
+    const std::filesystem::path path = folder / name;
+    Write(path, 64, 48);
+    const std::string whole = ReadText(path);
+    EXPECT_TRUE(IsWholeVideo(path)) << name;
+    for (const std::size_t size :
+      { std::size_t(0), std::size_t(9), whole.size() / 2, whole.size() - 1 })
+    {
+      WriteText(path, whole.substr(0, size));
+      EXPECT_FALSE(IsWholeVideo(path)) << name << " of " << size << " bytes";
+    }
+  }
 }
