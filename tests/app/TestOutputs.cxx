@@ -3,7 +3,7 @@
 // not at all.
 #include "ProgramRun.h"
 
-#include <functional>
+#include <sstream>
 
 using namespace novelview;
 using namespace novelview::testing_support;
@@ -15,6 +15,28 @@ namespace
 /** What makes runs short: no depth maps, a coarse hull and nothing refined. */
 const std::vector<std::string> Coarse{ "--quiet", "--stage", "hull", "--no-depth-maps",
   "--hull-spacing", "8" };
+
+/** The lines that tell errors; coarse hulls have warnings, too. */
+std::string ErrorsIn(const ProcessEnd& end)
+{
+  std::istringstream lines(end.Err);
+  std::string errors;
+  for (std::string line; std::getline(lines, line);)
+  {
+    errors += line.rfind("novelview: warning: ", 0) == 0 ? "" : line + "\n";
+  }
+  return errors;
+}
+
+/** Expects one line of error that names a file. */
+void ExpectOneError(const ProcessEnd& end, const std::string& named)
+{
+  const std::string errors = ErrorsIn(end);
+  EXPECT_EQ(end.Code, 1) << end.Err;
+  EXPECT_THAT(errors, testing::StartsWith("novelview: error: "));
+  EXPECT_THAT(errors, HasSubstr(named));
+  EXPECT_EQ(std::count(errors.begin(), errors.end(), '\n'), 1) << errors;
+}
 
 /** Six small photographs of the bunny, copied for every test. */
 class Outputs : public testing::Test
@@ -34,10 +56,7 @@ protected:
   {
     const auto before = FilesBelow(this->Folder.Path);
     const ProcessEnd end = RunProgram(words);
-    EXPECT_EQ(end.Code, 1) << end.Err;
-    EXPECT_THAT(end.Err, testing::StartsWith("novelview: error: "));
-    EXPECT_THAT(end.Err, HasSubstr(named));
-    EXPECT_EQ(std::count(end.Err.begin(), end.Err.end(), '\n'), 1) << end.Err;
+    ExpectOneError(end, named);
     EXPECT_TRUE(FilesBelow(this->Folder.Path) == before) << "a file has changed";
   }
 
@@ -57,10 +76,7 @@ protected:
   /** Expects one clear line that names the file, and nothing of that name. */
   static void ExpectNotWritten(const ProcessEnd& end, const fs::path& file)
   {
-    EXPECT_EQ(end.Code, 1) << end.Err;
-    EXPECT_THAT(end.Err, testing::StartsWith("novelview: error: "));
-    EXPECT_THAT(end.Err, HasSubstr(file.string()));
-    EXPECT_EQ(std::count(end.Err.begin(), end.Err.end(), '\n'), 1) << end.Err;
+    ExpectOneError(end, file.string());
     EXPECT_FALSE(fs::exists(file));
     EXPECT_THAT(HalfWritten(file.parent_path()), testing::IsEmpty());
   }
@@ -211,7 +227,7 @@ TEST_F(Outputs, MasksAreReplacedOnlyWhenAskedAndPhotographsNever)
 TEST_F(Outputs, NamesOfViewsDoNotLeadOutOfTheFolderOfRender)
 {
   const fs::path precious = this->Folder / "precious.png";
-  WriteText(precious, "precious");
+  fs::copy(this->Data / "bunny0000.png", precious);
   std::string views = ReadText(this->Data / "bunny_par.txt");
   views = Replaced(views, "bunny0000.png", precious.string());
   views = Replaced(views, "bunny0001.png", "../up.png");
@@ -221,7 +237,7 @@ TEST_F(Outputs, NamesOfViewsDoNotLeadOutOfTheFolderOfRender)
   MustRun(With({ "render", this->Data.string(), "--cameras",
                  (this->Folder / "views_par.txt").string(), "--out", out.string() },
     Coarse));
-  EXPECT_EQ(ReadText(precious), "precious");
+  EXPECT_TRUE(ReadText(precious) == ReadText(this->Data / "bunny0000.png"));
   EXPECT_FALSE(fs::exists(this->Folder / "a/up.png"));
   EXPECT_TRUE(fs::exists(out / "up.png"));
   EXPECT_TRUE(fs::exists(out / "mask/up.png"));
@@ -251,7 +267,7 @@ TEST_F(Outputs, AMeshThatDoesNotFitOnTheDiskIsAnError)
   {
     const fs::path file = this->Folder / name;
     const ProcessEnd end =
-      RunLimited(32, With({ "mesh", this->Data.string(), "--out", file.string() }, Coarse));
+      RunLimited(1, With({ "mesh", this->Data.string(), "--out", file.string() }, Coarse));
     ExpectNotWritten(end, file.extension() == ".obj" ? this->Folder / "o.jpg" : file);
   }
 }
@@ -270,7 +286,7 @@ TEST_F(Outputs, AScreenshotThatDoesNotFitOnTheDiskIsAnError)
     { "run", this->Data.string(), "--view", "between:0,1", "--out", out.string(), "--quiet",
       "--no-depth-maps", "--hull-spacing", "8", "--outline-iterations", "1",
       "--non-outline-iterations", "0" });
-  ExpectNotWritten(end, out / "iterations/outline_01_desktop.png");
+  ExpectNotWritten(end, out / "iterations/outline_00_desktop.png");
 }
 
 TEST_F(Outputs, AFilmThatDoesNotFitOnTheDiskIsAnError)
