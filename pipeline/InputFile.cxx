@@ -46,8 +46,9 @@ std::string Reason(int number)
 fs::path Resolved(const fs::path& file)
 {
   std::error_code failure;
-  fs::path path = fs::weakly_canonical(fs::absolute(file), failure);
-  return failure ? fs::absolute(file).lexically_normal() : path;
+  const fs::path absolute = fs::absolute(file, failure);
+  const fs::path canonical = failure ? file : fs::weakly_canonical(absolute, failure);
+  return failure ? file.lexically_normal() : canonical;
 }
 
 bool Identify(const fs::path& file, struct stat& status)
