@@ -13,7 +13,6 @@
 #include <mpi.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <chrono>
 #include <cstring>
@@ -148,10 +147,6 @@ WorkResult Unpacked(const Bytes& bytes)
   }
   return result;
 }
-
-/** The numbers that views have as a whole. */
-constexpr std::array<const char*, 2> SharedNumbers = { arrays::DepthNoise,
-  arrays::SilhouettePrior };
 }
 
 class MpiProcessGroup : public ProcessGroup
