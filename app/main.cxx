@@ -105,7 +105,7 @@ public:
   {
     return [this, command](const auto& options, Console& console)
     {
-      this->Processes = StartProcesses(&this->Count, &this->Words);
+      this->Processes = StartProcesses(&this->Count, &this->Words, options.RankTimeoutSeconds);
       command(options, console, *this->Processes);
     };
   }
