@@ -7,6 +7,7 @@
 #include "MaskCommand.h"
 #include "MeshCommand.h"
 #include "OrbitCommand.h"
+#include "ProcessSetup.h"
 #include "RunCommand.h"
 
 #include <cerrno>
@@ -145,6 +146,7 @@ private:
 int main(int argc, char** argv)
 {
   OpenMissingStreams();
+  SetUpProcess();
   HeedSignals();
   const InputProtection protection;
   Launch launch(argc, argv);
