@@ -2,6 +2,7 @@
 #include "CommandLine.h"
 
 #include "AtomicFile.h"
+#include "FailureText.h"
 #include "InputFile.h"
 #include "OptionParser.h"
 #include "Parallel.h"
@@ -318,10 +319,11 @@ int RunCommandLine(int argc, const char* const* argv, const Commands& commands)
   Console console(commands.Rank == 0 ? parsed.Common.Level() : Verbosity::Silent);
   const auto failed = [&](const std::exception& error, int code)
   {
-    console.Error(error.what());
+    const std::string text = FailureText(error);
+    console.Error(text);
     if (commands.Failed)
     {
-      commands.Failed(error.what());
+      commands.Failed(text);
     }
     return code;
   };

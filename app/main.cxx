@@ -7,6 +7,7 @@
 #include "MaskCommand.h"
 #include "MeshCommand.h"
 #include "OrbitCommand.h"
+#include "ProcessSetup.h"
 #include "RunCommand.h"
 
 #include <cerrno>
@@ -105,7 +106,7 @@ public:
   {
     return [this, command](const auto& options, Console& console)
     {
-      this->Processes = StartProcesses(&this->Count, &this->Words);
+      this->Processes = StartProcesses(&this->Count, &this->Words, options.RankTimeoutSeconds);
       command(options, console, *this->Processes);
     };
   }
@@ -145,6 +146,7 @@ private:
 int main(int argc, char** argv)
 {
   OpenMissingStreams();
+  SetUpProcess();
   HeedSignals();
   const InputProtection protection;
   Launch launch(argc, argv);

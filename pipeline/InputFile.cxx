@@ -2,6 +2,7 @@
 #include "InputFile.h"
 
 #include "Error.h"
+#include "OutOfMemory.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -153,6 +154,7 @@ public:
   {
     try
     {
+      const OutOfMemoryIsCaught caught;
       // Some files, as those of /proc, do not tell their size.
       std::string bytes;
       bytes.reserve(std::min(this->Size + 1, most));

@@ -85,6 +85,13 @@ Option ThreadsOption(int& threads)
     false };
 }
 
+Option RankTimeoutOption(int& seconds)
+{
+  return { "rankTimeout",
+    "end the run of several processes (mpirun) when one of them is silent for so long; 0 = never",
+    "s", "Program", &seconds, 0, 86400, {}, false };
+}
+
 Option TextureSizeOption(int& size, const char* group)
 {
   return { "textureSize", "largest side of a mesh's texture", "px", group, &size, 64, 16384 };
@@ -103,6 +110,10 @@ OptionTable WithMethod(OptionTable table, Options& options)
   Append(table, OptionsOf(options.Synthesis));
   Append(table, OptionsOf(options.Input));
   table.push_back(ThreadsOption(options.Threads));
+  if constexpr (requires { options.RankTimeoutSeconds; }) // of what processes can share
+  {
+    table.push_back(RankTimeoutOption(options.RankTimeoutSeconds));
+  }
   return table;
 }
 

@@ -54,6 +54,7 @@ struct RenderOptions
   std::filesystem::path Out;     ///< gets NAME and mask/NAME of each
   Stage UpTo = Stage::Full;
   int Threads = 0;
+  int RankTimeoutSeconds = 300; ///< of several processes; 0 = never
   SynthesisOptions Synthesis;
 };
 
@@ -68,6 +69,7 @@ struct OrbitOptions
   std::filesystem::path FramesDir; ///< also gets the frames as pictures; empty = none
   Stage UpTo = Stage::Full;
   int Threads = 0;
+  int RankTimeoutSeconds = 300; ///< of several processes; 0 = never
   SynthesisOptions Synthesis;
 };
 
@@ -99,6 +101,7 @@ struct EvaluateOptions
   bool Page = true;                 ///< write report.html
   Stage UpTo = Stage::Full;
   int Threads = 0;
+  int RankTimeoutSeconds = 300; ///< of several processes; 0 = never
   SynthesisOptions Synthesis;
 };
 

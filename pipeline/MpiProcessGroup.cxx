@@ -2,7 +2,9 @@
 // Several processes, by VTK's controller over MPI. Compiled only where there is MPI.
 #include "ProcessGroup.h"
 
+#include "ByteStream.h"
 #include "Error.h"
+#include "MpiHeartbeat.h"
 #include "ViewAccess.h"
 
 #include <vtkCharArray.h>
@@ -13,12 +15,12 @@
 #include <mpi.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <chrono>
 #include <cstring>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <sched.h>
 #include <thread>
 #include <unistd.h>
@@ -44,130 +46,87 @@ enum Kind : long long
   Failure ///< an error's text
 };
 
-using Bytes = std::vector<char>;
-
 /** MPI's own waiting keeps a processor busy; here others have work for it. */
 void Nap()
 {
   std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
 
-template <class T>
-void Append(Bytes& bytes, const T* values, std::size_t count)
+std::string Packed(const WorkResult& result)
 {
-  const auto* first = reinterpret_cast<const char*>(values);
-  bytes.insert(bytes.end(), first, first + count * sizeof(T));
-}
-
-void AppendSized(Bytes& bytes, const char* values, std::size_t count)
-{
-  Append(bytes, &count, 1);
-  Append(bytes, values, count);
-}
-
-/** Takes values off the front of bytes. */
-class ByteReader
-{
-public:
-  explicit ByteReader(const Bytes& bytes)
-    : Next(bytes.data())
-    , Left(bytes.size())
+  ByteWriter writer;
+  writer.Add<std::uint64_t>(result.Numbers.size());
+  for (const double number : result.Numbers)
   {
+    writer.Add(number);
   }
-  template <class T>
-  T Value()
-  {
-    T value;
-    std::memcpy(&value, this->Take(sizeof(T)), sizeof(T));
-    return value;
-  }
-  const char* Take(std::size_t count)
-  {
-    if (count > this->Left)
-    {
-      throw Error("message of another process", "is too short");
-    }
-    const char* taken = this->Next;
-    this->Next += count;
-    this->Left -= count;
-    return taken;
-  }
-
-private:
-  const char* Next;
-  std::size_t Left;
-};
-
-Bytes Packed(const WorkResult& result)
-{
-  Bytes bytes;
-  const std::size_t counts[] = { result.Numbers.size(), result.Notes.size(), result.Images.size() };
-  Append(bytes, counts, 3);
-  Append(bytes, result.Numbers.data(), result.Numbers.size());
+  writer.Add<std::uint64_t>(result.Notes.size());
   for (const WorkNote& note : result.Notes)
   {
-    Append(bytes, &note.Seconds, 1);
-    AppendSized(bytes, note.Text.data(), note.Text.size());
+    writer.Add(note.Seconds);
+    writer.AddText(note.Text);
   }
+  writer.Add<std::uint64_t>(result.Images.size());
   for (vtkImageData* image : result.Images)
   {
     vtkNew<vtkCharArray> marshalled;
     vtkCommunicator::MarshalDataObject(image, marshalled);
-    AppendSized(
-      bytes, marshalled->GetPointer(0), static_cast<std::size_t>(marshalled->GetNumberOfValues()));
+    writer.AddText(
+      { marshalled->GetPointer(0), static_cast<std::size_t>(marshalled->GetNumberOfValues()) });
   }
-  return bytes;
+  return std::move(writer.Written);
 }
 
-WorkResult Unpacked(const Bytes& bytes)
+WorkResult Unpacked(std::string_view bytes)
 {
-  ByteReader reader(bytes);
-  const auto numbers = reader.Value<std::size_t>();
-  const auto notes = reader.Value<std::size_t>();
-  const auto images = reader.Value<std::size_t>();
+  ByteReader reader(bytes, "message of another process");
   WorkResult result;
-  for (std::size_t i = 0; i < numbers; ++i)
+  for (auto count = reader.Take<std::uint64_t>(); count > 0; --count)
   {
-    result.Numbers.push_back(reader.Value<double>());
+    result.Numbers.push_back(reader.Take<double>());
   }
-  for (std::size_t i = 0; i < notes; ++i)
+  for (auto count = reader.Take<std::uint64_t>(); count > 0; --count)
   {
-    const auto seconds = reader.Value<double>();
-    const auto length = reader.Value<std::size_t>();
-    result.Notes.push_back({ std::string(reader.Take(length), length), seconds });
+    const auto seconds = reader.Take<double>();
+    result.Notes.push_back({ reader.TakeText(), seconds });
   }
-  for (std::size_t i = 0; i < images; ++i)
+  for (auto count = reader.Take<std::uint64_t>(); count > 0; --count)
   {
-    const auto length = reader.Value<std::size_t>();
+    const std::string_view taken = reader.TakeBytes(reader.Take<std::uint64_t>());
     vtkNew<vtkCharArray> marshalled;
-    marshalled->SetNumberOfValues(static_cast<vtkIdType>(length));
-    std::memcpy(marshalled->GetPointer(0), reader.Take(length), length);
+    marshalled->SetNumberOfValues(static_cast<vtkIdType>(taken.size()));
+    std::memcpy(marshalled->GetPointer(0), taken.data(), taken.size());
     vtkNew<vtkImageData> image;
     vtkCommunicator::UnMarshalDataObject(marshalled, image);
     result.Images.emplace_back(image.Get());
   }
   return result;
 }
-
-/** The numbers that views have as a whole. */
-constexpr std::array<const char*, 2> SharedNumbers = { arrays::DepthNoise,
-  arrays::SilhouettePrior };
 }
 
 class MpiProcessGroup : public ProcessGroup
 {
 public:
-  MpiProcessGroup(int* argc, char*** argv, const LaunchPlace& place)
+  MpiProcessGroup(int* argc, char*** argv, const LaunchPlace& place, double rankTimeoutSeconds)
     : Place(place)
+    , RankTimeoutSeconds(rankTimeoutSeconds)
   {
-    // While views are shared out, one thread of the first process talks and another one works.
+    // While views are shared out, one thread of the first process talks and another one works; and
+    // a third one of every process beats.
+    const MpiDeadline deadline("have started", rankTimeoutSeconds);
     int provided = 0;
-    MPI_Init_thread(argc, argv, MPI_THREAD_SERIALIZED, &provided);
+    MPI_Init_thread(argc, argv, MPI_THREAD_MULTIPLE, &provided);
     this->Controller->Initialize(argc, argv, 1);
+    if (rankTimeoutSeconds > 0 && provided == MPI_THREAD_MULTIPLE)
+    {
+      this->Heartbeat.emplace(rankTimeoutSeconds);
+    }
   }
 
   ~MpiProcessGroup() override
   {
+    this->Heartbeat.reset();
+    const MpiDeadline deadline("have ended", this->RankTimeoutSeconds);
     this->Controller->Finalize(1);
     MPI_Finalize();
   }
@@ -259,7 +218,7 @@ public:
       return false;
     }
     // Short enough that MPI keeps it, should the first process not listen yet.
-    this->Tell(Failure, 0, Bytes(text.begin(), text.begin() + std::min<long>(text.size(), 1000)));
+    this->Tell(Failure, 0, text.substr(0, 1000));
     return true;
   }
 
@@ -319,7 +278,7 @@ private:
     }
   }
 
-  void Tell(Kind kind, long long item, const Bytes& bytes)
+  void Tell(Kind kind, long long item, const std::string& bytes)
   {
     const long long header[3] = { kind, item, static_cast<long long>(bytes.size()) };
     this->Controller->Send(header, 3, 0, HeaderTag);
@@ -370,7 +329,7 @@ private:
   bool TakeOne(std::size_t item, const Take& take)
   {
     WorkResult result;
-    Bytes bytes;
+    std::string bytes;
     {
       const std::lock_guard lock(this->Guard);
       if (auto own = this->Own.extract(item))
@@ -406,7 +365,7 @@ private:
       }
       long long header[3] = { 0, 0, 0 };
       this->Controller->Receive(header, 3, source, HeaderTag);
-      Bytes bytes(static_cast<std::size_t>(header[2]));
+      std::string bytes(static_cast<std::size_t>(header[2]), '\0');
       if (!bytes.empty())
       {
         this->Controller->Receive(
@@ -417,7 +376,7 @@ private:
   }
 
   /** Returns whether the process was told that there is no more. */
-  bool Answer(const long long* header, Bytes bytes, int source)
+  bool Answer(const long long* header, std::string bytes, int source)
   {
     if (header[0] == Ask)
     {
@@ -433,7 +392,7 @@ private:
     }
     else if (!this->Failed)
     {
-      this->FailureText.assign(bytes.begin(), bytes.end());
+      this->FailureText = std::move(bytes);
       this->Failed = true;
     }
     return false;
@@ -458,6 +417,8 @@ private:
   }
 
   const LaunchPlace Place;
+  const double RankTimeoutSeconds;
+  std::optional<MpiHeartbeat> Heartbeat;
   vtkNew<vtkMPIController> Controller;
   std::atomic<std::size_t> Next{ 0 }; ///< the first item nobody has
   std::size_t Count = 0;
@@ -466,16 +427,16 @@ private:
   std::mutex Guard; ///< of what follows
   std::string FailureText;
   std::map<std::size_t, WorkResult> Own;
-  std::map<std::size_t, Bytes> Received;
+  std::map<std::size_t, std::string> Received;
 };
 
-std::unique_ptr<ProcessGroup> StartProcesses(int* argc, char*** argv)
+std::unique_ptr<ProcessGroup> StartProcesses(int* argc, char*** argv, double rankTimeoutSeconds)
 {
   const LaunchPlace place = FindLaunchPlace();
   if (place.Size == 1)
   {
     return std::make_unique<ProcessGroup>();
   }
-  return std::make_unique<MpiProcessGroup>(argc, argv, place);
+  return std::make_unique<MpiProcessGroup>(argc, argv, place, rankTimeoutSeconds);
 }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "OffscreenWindow.h"
 
+#include "AddressSpace.h"
 #include "Error.h"
 
 #include <vtkGenericOpenGLRenderWindow.h>
@@ -15,7 +16,9 @@
 #include <GL/osmesa.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <mutex>
 
@@ -113,6 +116,20 @@ private:
 };
 vtkStandardNewMacro(OSMesaRenderWindow);
 
+/** llvmpipe crashes or hangs where it gets no memory, so it is asked for before. */
+void RequireMemoryToDraw(int width, int height)
+{
+  constexpr std::size_t MiB = std::size_t(1) << 20;
+  // Measured: shaders' code and threads of the first window; of each further picture its frame
+  // buffers, and what it is read back into.
+  static std::atomic<bool> first = true;
+  const std::size_t fixed = first ? 448 * MiB : 16 * MiB;
+  const std::size_t pixels =
+    std::min(static_cast<std::size_t>(width) * height, std::size_t(1) << 32); // no driver has more
+  RequireAddressSpace("offscreen rendering", fixed + 12 * pixels);
+  first = false;
+}
+
 std::string GLText(GLenum name)
 {
   const GLubyte* text = glGetString(name);
@@ -129,6 +146,7 @@ OffscreenWindow::OffscreenWindow(int width, int height)
   {
     throw Error(where, "picture size is not positive", SizeText(width, height), "at least 1x1");
   }
+  RequireMemoryToDraw(width, height);
   vtkNew<OSMesaRenderWindow> window;
   window->SetSize(width, height);
   if (!window->CreateContext())
@@ -168,6 +186,7 @@ OffscreenWindow::~OffscreenWindow() = default;
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> OffscreenWindow::Capture(bool withAlpha)
 {
+  RequireMemoryToDraw(this->Size[0], this->Size[1]);
   this->Render->MakeCurrent();
   this->Render->Render();
   auto image = vtkSmartPointer<vtkImageData>::New();

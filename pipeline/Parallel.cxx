@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Parallel.h"
 
+#include "AddressSpace.h"
 #include "Threads.h"
 
 #include <opencv2/core.hpp>
@@ -49,5 +50,7 @@ void LimitThreads(int threads)
 {
   SetNumberOfThreads(threads);
   cv::setNumThreads(threads > 0 ? threads : -1);
+  // Of TBB and OpenCV, which start them in the midst of work.
+  RequireAddressSpace("threads", 2 * StackBytesOf(NumberOfThreads()));
 }
 }

@@ -16,7 +16,10 @@ namespace novelview
 void ParallelForEach(std::size_t count, const std::function<void(std::size_t i)>& body,
   const std::function<void(double fraction)>& progress = {});
 
-/** Limits the threads of everything: filters, reading, OpenCV. 0 = one per core. */
+/**
+ * Limits the threads of everything: filters, reading, OpenCV. 0 = one per core. Throws Error when
+ * there is no memory for so many.
+ */
 void LimitThreads(int threads);
 }
 

@@ -57,7 +57,7 @@ void ProcessGroup::EndAll(int)
 }
 
 #ifndef NOVELVIEW_WITH_MPI
-std::unique_ptr<ProcessGroup> StartProcesses(int*, char***)
+std::unique_ptr<ProcessGroup> StartProcesses(int*, char***, double)
 {
   if (const int size = FindLaunchPlace().Size; size > 1)
   {

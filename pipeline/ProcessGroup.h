@@ -82,8 +82,10 @@ public:
 /**
  * The processes this one was started with. Without a launcher, one alone, and MPI is not even
  * initialised. Throws Error when there are several, but the program was built without MPI.
+ * @param rankTimeoutSeconds the run ends when a process is silent for so long, see MpiHeartbeat.h;
+ * 0 = never.
  */
-std::unique_ptr<ProcessGroup> StartProcesses(int* argc, char*** argv);
+std::unique_ptr<ProcessGroup> StartProcesses(int* argc, char*** argv, double rankTimeoutSeconds);
 }
 
 #endif

@@ -1,32 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "StageCache.h"
 
+#include "ByteStream.h"
+#include "CacheFile.h"
+#include "DataBytes.h"
 #include "Error.h"
+#include "FailureText.h"
+#include "InputFile.h"
 #include "Parallel.h"
 #include "PowerCrust.h"
 #include "Synthesis.h"
+#include "TemporaryFile.h"
 #include "ViewAccess.h"
 #include "vtkReferenceDepthEstimator.h"
-
-#include <nlohmann/json.hpp>
 
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
-#include <vtkXMLImageDataReader.h>
-#include <vtkXMLImageDataWriter.h>
-#include <vtkXMLPolyDataReader.h>
-#include <vtkXMLPolyDataWriter.h>
 
 #include <dlfcn.h>
-#include <unistd.h>
 
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
-#include <array>
 #include <fstream>
 #include <memory>
 
@@ -36,8 +34,6 @@ namespace fs = std::filesystem;
 
 namespace
 {
-constexpr const char* Manifest = "manifest.json";
-
 /** A running XXH3 hash. */
 class Hash
 {
@@ -77,13 +73,6 @@ public:
 private:
   std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> State;
 };
-
-std::string HashOfFile(const fs::path& path)
-{
-  Hash hash;
-  hash.AddFile(path);
-  return hash.Text();
-}
 
 /** The file of the library, or program, that holds a function. */
 fs::path FileOf(const void* function)
@@ -131,40 +120,16 @@ void AddView(Hash& hash, vtkImageData* image, const std::string& name)
   }
 }
 
-template <class Writer>
-void Write(vtkDataObject* data, const fs::path& path, nlohmann::json& files)
+/** A view's section. */
+std::string ViewSection(std::size_t viewId)
 {
-  vtkNew<Writer> writer;
-  writer->SetInputDataObject(data);
-  writer->SetFileName(path.c_str());
-  writer->SetCompressorTypeToLZ4();
-  writer->EncodeAppendedDataOff();
-  if (writer->Write() != 1)
-  {
-    throw Error(path.string(), "cannot be written");
-  }
-  files[path.filename().string()] = HashOfFile(path);
+  return "view " + std::to_string(viewId);
 }
 
-template <class Reader>
-auto Read(const fs::path& path, const nlohmann::json& files)
-{
-  if (HashOfFile(path) != files.at(path.filename().string()).get<std::string>())
-  {
-    throw Error(path.string(), "its checksum is wrong");
-  }
-  vtkNew<Reader> reader;
-  reader->SetFileName(path.c_str());
-  reader->Update();
-  return vtkSmartPointer(reader->GetOutput());
-}
-
-std::string ViewFile(std::size_t viewId)
-{
-  char name[32];
-  std::snprintf(name, sizeof(name), "view_%04zu.vti", viewId);
-  return name;
-}
+constexpr const char* HullSection = "hull";
+constexpr const char* CrustSection = "crust";
+constexpr const char* BallsSection = "medial balls";
+constexpr const char* NotesSection = "notes";
 
 /** The arrays and numbers of `made` that `given` has not. */
 vtkSmartPointer<vtkImageData> NewParts(vtkImageData* made, vtkImageData* given)
@@ -216,63 +181,91 @@ vtkSmartPointer<vtkImageData> Completed(vtkImageData* given, vtkImageData* parts
   return image;
 }
 
-void WriteEntry(const fs::path& folder, const ViewIndependent& results, vtkMultiBlockDataSet* given)
+/** The numbers of all views, below 0 = none, and the warnings. */
+std::string PackedNotes(const ViewIndependent& results)
 {
-  nlohmann::json files;
-  Write<vtkXMLPolyDataWriter>(results.Hull, folder / "hull.vtp", files);
-  Write<vtkXMLPolyDataWriter>(results.Crust, folder / "crust.vtp", files);
-  Write<vtkXMLPolyDataWriter>(results.MedialBalls, folder / "medial_balls.vtp", files);
+  ByteWriter writer;
+  for (const char* number : SharedNumbers)
+  {
+    writer.Add<double>(AttachedNumber(results.Views, number, -1));
+  }
+  writer.Add<std::uint64_t>(results.Warnings.size());
+  for (const std::string& warning : results.Warnings)
+  {
+    writer.AddText(warning);
+  }
+  return std::move(writer.Written);
+}
+
+void UnpackNotes(std::string_view bytes, const std::string& where, ViewIndependent& results)
+{
+  ByteReader reader(bytes, where);
+  for (const char* number : SharedNumbers)
+  {
+    if (const auto value = reader.Take<double>(); value >= 0)
+    {
+      AttachNumber(results.Views, number, value);
+    }
+  }
+  const auto count = reader.Take<std::uint64_t>();
+  for (std::uint64_t i = 0; i < count; ++i)
+  {
+    results.Warnings.push_back(reader.TakeText());
+  }
+  reader.RequireEnd();
+}
+
+std::string PackedEntry(
+  const std::string& key, const ViewIndependent& results, vtkMultiBlockDataSet* given)
+{
+  std::vector<CacheSection> sections = { { HullSection, PackedMesh(results.Hull) },
+    { CrustSection, PackedMesh(results.Crust) }, { BallsSection, PackedMesh(results.MedialBalls) },
+    { NotesSection, PackedNotes(results) } };
   for (unsigned int viewId = 0; viewId < given->GetNumberOfBlocks(); ++viewId)
   {
     const auto parts = NewParts(ViewImage(results.Views, viewId), ViewImage(given, viewId));
-    Write<vtkXMLImageDataWriter>(parts, folder / ViewFile(viewId), files);
+    sections.push_back({ ViewSection(viewId), PackedImage(parts) });
   }
-  nlohmann::json numbers;
-  for (const char* number : { arrays::DepthNoise, arrays::SilhouettePrior })
-  {
-    const double value = AttachedNumber(results.Views, number, -1);
-    if (value >= 0)
-    {
-      numbers[number] = value;
-    }
-  }
-  const nlohmann::json manifest = { { "files", files }, { "numbers", numbers },
-    { "warnings", results.Warnings } };
-  // The whole folder gets its name at the end, and an interrupt shall not lose it.
-  const fs::path path = folder / Manifest;
-  std::ofstream file(path, std::ios::binary);
-  file << manifest.dump(1) << "\n";
-  file.close();
-  if (!file)
-  {
-    throw Error(path.string(), "cannot be written");
-  }
+  return ComposeCacheFile(key, std::move(sections));
 }
 
-ViewIndependent ReadEntry(const fs::path& folder, vtkMultiBlockDataSet* given)
+/** Reads, checks and unpacks the sections, spread over the threads. */
+ViewIndependent ReadEntry(const CacheFile& file, vtkMultiBlockDataSet* given)
 {
-  const nlohmann::json manifest = nlohmann::json::parse(std::ifstream(folder / Manifest));
-  const nlohmann::json& files = manifest.at("files");
   ViewIndependent results;
-  results.Hull = Read<vtkXMLPolyDataReader>(folder / "hull.vtp", files);
-  results.Crust = Read<vtkXMLPolyDataReader>(folder / "crust.vtp", files);
-  results.MedialBalls = Read<vtkXMLPolyDataReader>(folder / "medial_balls.vtp", files);
-  results.Warnings = manifest.at("warnings").get<std::vector<std::string>>();
-  results.Views = vtkSmartPointer<vtkMultiBlockDataSet>::New();
   std::vector<vtkSmartPointer<vtkImageData>> parts(given->GetNumberOfBlocks());
-  ParallelForEach(parts.size(),
-    [&](std::size_t viewId)
-    { parts[viewId] = Read<vtkXMLImageDataReader>(folder / ViewFile(viewId), files); });
+  const auto mesh = [&file](const char* name)
+  { return UnpackedMesh(file.Read(name), file.Where(name)); };
+  ParallelForEach(parts.size() + 3,
+    [&](std::size_t i)
+    {
+      switch (i)
+      {
+        case 0:
+          results.Crust = mesh(CrustSection);
+          break;
+        case 1:
+          results.Hull = mesh(HullSection);
+          break;
+        case 2:
+          results.MedialBalls = mesh(BallsSection);
+          break;
+        default:
+          const std::string name = ViewSection(i - 3);
+          parts[i - 3] = UnpackedImage(file.Read(name), file.Where(name));
+      }
+    });
+  results.Views = vtkSmartPointer<vtkMultiBlockDataSet>::New();
   for (unsigned int viewId = 0; viewId < parts.size(); ++viewId)
   {
     vtkImageData* image = ViewImage(given, viewId);
     const std::string name = ViewName(given, viewId);
     AppendView(results.Views, name, Completed(image, parts[viewId]), AttachedCamera(image, name));
   }
-  for (const auto& [name, value] : manifest.at("numbers").items())
-  {
-    AttachNumber(results.Views, name.c_str(), value.get<double>());
-  }
+  UnpackNotes(file.Read(NotesSection), file.Where(NotesSection), results);
+  // Not what the stages would stumble over.
+  ReadViews(results.Views, { .Color = true, .Mask = true, .ContourDistance = true });
+  ToTriangleMesh(results.Crust, file.Where(CrustSection));
   return results;
 }
 }
@@ -295,13 +288,13 @@ StageCache::StageCache(
 std::optional<ViewIndependent> StageCache::Load()
 {
   this->Wrong.clear();
-  if (!fs::exists(this->Entry() / Manifest))
+  if (!CacheFile::Exists(this->Entry()))
   {
     return {};
   }
   try
   {
-    return ReadEntry(this->Entry(), this->Views);
+    return ReadEntry(CacheFile(this->Entry(), this->Key), this->Views);
   }
   catch (const Interrupted&)
   {
@@ -309,32 +302,17 @@ std::optional<ViewIndependent> StageCache::Load()
   }
   catch (const std::exception& error)
   {
-    this->Wrong = error.what();
-    return {};
+    this->Wrong = FailureText(error);
   }
+  return {};
 }
 
 void StageCache::Store(const ViewIndependent& results) const
 {
-  const fs::path temporary = this->Folder / (this->Key + "." + std::to_string(getpid()) + ".tmp");
-  try
-  {
-    fs::create_directories(temporary);
-    WriteEntry(temporary, results, this->Views);
-    fs::remove_all(this->Entry());
-    fs::rename(temporary, this->Entry());
-  }
-  catch (const fs::filesystem_error& error)
-  {
-    std::error_code ignored;
-    fs::remove_all(temporary, ignored);
-    throw Error(this->Folder.string(), "the cache cannot be written: " + error.code().message());
-  }
-  catch (...)
-  {
-    std::error_code ignored;
-    fs::remove_all(temporary, ignored);
-    throw;
-  }
+  // By hand, since an interrupt shall not lose what is made.
+  RequireReplaceable(this->Entry());
+  TemporaryFile file(this->Entry());
+  file.Write(PackedEntry(this->Key, results, this->Views));
+  file.Commit();
 }
 }

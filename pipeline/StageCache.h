@@ -2,10 +2,13 @@
 #ifndef novelview_StageCache_h
 #define novelview_StageCache_h
 
+#include "ViewAccess.h"
+
 #include <vtkMultiBlockDataSet.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -14,6 +17,10 @@
 namespace novelview
 {
 struct SynthesisOptions;
+
+/** The numbers that views have as a whole. */
+inline constexpr std::array<const char*, 2> SharedNumbers = { arrays::DepthNoise,
+  arrays::SilhouettePrior };
 
 /** What the stages make of the photographs for every novel camera alike. */
 struct ViewIndependent
@@ -27,10 +34,10 @@ struct ViewIndependent
 };
 
 /**
- * Keeps ViewIndependent results in a folder, DIR/KEY/ with VTK's XML files and a manifest of their
- * checksums. KEY is a hash (XXH3, 128 bits) of everything the results follow from: pixels,
- * silhouettes, cameras, the options of these stages, and the libraries' machine code. An entry that
- * does not match its checksums is as good as none. Entries may be deleted at any time.
+ * Keeps ViewIndependent results in a folder, one file DIR/KEY.nvcache each (CacheFile). KEY is a hash
+ * (XXH3, 128 bits) of everything the results follow from: pixels, silhouettes, cameras, the options of
+ * these stages, and the libraries' machine code. Every byte of an entry is under a checksum, and one
+ * that does not match is as good as none. Entries may be deleted at any time.
  */
 class StageCache
 {
@@ -38,16 +45,16 @@ public:
   StageCache(
     std::filesystem::path folder, vtkMultiBlockDataSet* views, const SynthesisOptions& options);
 
-  /** The kept results; nothing when there are none, or when they are damaged (see Damage()). */
+  /** The kept results; nothing when there are none, or none that can be used (see Damage()). */
   std::optional<ViewIndependent> Load();
 
-  /** What was wrong with the entry that Load() found; empty when nothing was. */
+  /** Why the entry that Load() found cannot be used; empty when it can, or when there is none. */
   const std::string& Damage() const { return this->Wrong; }
 
-  /** Keeps results: all or nothing. Throws Error when the folder cannot be written. */
+  /** Keeps results, in place of what is there. Throws Error when the file cannot be written. */
   void Store(const ViewIndependent& results) const;
 
-  std::filesystem::path Entry() const { return this->Folder / this->Key; }
+  std::filesystem::path Entry() const { return this->Folder / (this->Key + ".nvcache"); }
 
 private:
   std::filesystem::path Folder;

@@ -2,6 +2,7 @@
 #include "Synthesis.h"
 
 #include "Error.h"
+#include "FailureText.h"
 #include "NumberText.h"
 #include "StageCache.h"
 #include "StageRunner.h"
@@ -191,9 +192,13 @@ private:
     {
       this->Cache->Store(this->Results());
     }
-    catch (const Error& error)
+    catch (const Interrupted&)
     {
-      this->Warn(error.what()); // the run needs no cache
+      throw;
+    }
+    catch (const std::exception& error)
+    {
+      this->WarnOfCache(FailureText(error) + "; nothing is kept");
     }
   }
 
@@ -210,7 +215,7 @@ private:
       this->Kept = this->Cache->Load();
       if (!this->Cache->Damage().empty())
       {
-        this->Warn("cache: " + this->Cache->Damage() + "; made anew");
+        this->WarnOfCache(this->Cache->Damage() + "; computed again");
       }
       if (this->Kept)
       {
@@ -258,6 +263,19 @@ private:
     {
       this->Listener.Warn(text);
     }
+  }
+
+  /**
+   * Tells what is wrong with the cache, which no run needs: once, since an entry that cannot be read
+   * often cannot be written either, and none of the warnings that are kept.
+   */
+  void WarnOfCache(const std::string& text)
+  {
+    if (!this->ToldOfCache && this->Listener.Warn)
+    {
+      this->Listener.Warn("cache: " + text);
+    }
+    this->ToldOfCache = true;
   }
 
   void RunHull()
@@ -405,6 +423,7 @@ private:
   bool Looked = false;
   bool Stored = false;
   std::vector<std::string> Warnings;
+  bool ToldOfCache = false;
   bool ToldOfDropped = false;
   bool ToldOfOffsets = false;
 };

@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <new>
 
 namespace novelview
 {
@@ -56,7 +57,8 @@ int RunGuarded(vtkAlgorithm* filter, vtkInformationVector* outputs, const Body& 
         output->Initialize();
       }
     }
-    vtkErrorWithObjectMacro(filter, << error.what());
+    const bool memory = dynamic_cast<const std::bad_alloc*>(&error);
+    vtkErrorWithObjectMacro(filter, << (memory ? "out of memory" : error.what()));
     return 0;
   }
 }

@@ -154,6 +154,34 @@ TEST_F(Processes, ADeadProcessIsAnErrorAndNoHang)
   }
 }
 
+TEST_F(Processes, AStoppedProcessEndsTheRun)
+{
+  for (const std::string rank : { "0", "2" })
+  {
+    // It stops once the first frame shows that all of them work, and never goes on by itself.
+    const fs::path frames = Out("stopped" + rank);
+    const std::string stopped = "if [ $OMPI_COMM_WORLD_RANK = " + rank +
+      " ]; then (for i in $(seq 900); do ls " + Quoted(frames.string()) +
+      "/*0000.png && break; sleep 0.1; done; kill -STOP $$) >/dev/null 2>&1 & fi";
+    const ProcessEnd end = RunIn(3,
+      Words("orbit", "stopped.mp4",
+        { "--frames", "5000", "--stage", "hull", "--quiet", "--frames-dir", frames.string(),
+          "--rank-timeout", "2" }),
+      stopped);
+    ExpectOneError(end, 1, "process " + rank + " of mpirun: silent for ");
+    EXPECT_FALSE(fs::exists(Out("stopped.mp4")));
+  }
+}
+
+TEST_F(Processes, ALongStageIsNoSilence)
+{
+  // A picture of these takes longer than the silence that is allowed, and hull and crust do, too.
+  const ProcessEnd end = RunIn(2,
+    Words("render", "slow",
+      { "--cameras", Cameras(), "--quiet", "--hull-spacing", "0.25", "--rank-timeout", "1" }));
+  EXPECT_EQ(end.Code, 0) << end.Err;
+}
+
 TEST_F(Processes, SlipsAreToldOnce)
 {
   ExpectOneError(RunIn(2, Words("run", "bad", { "--view", "between:0,1" })), 2,

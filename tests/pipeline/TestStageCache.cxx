@@ -1,75 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "StageCache.h"
-#include "Synthesis.h"
-#include "TestSupport.h"
+#include "CacheScene.h"
 #include "support/Stop.h"
-#include "support/VtkScene.h"
 
 #include <vtkPointData.h>
 
-#include <set>
+#include <sys/stat.h>
+#include <unistd.h>
 
 using namespace novelview;
-using namespace support;
+using namespace novelview::testing_support;
+using support::Stop;
+using testing::HasSubstr;
 namespace fs = std::filesystem;
 
 namespace
 {
-/** A box with one silhouette two pixels too small, so that every stage has something to say. */
-vtkSmartPointer<vtkMultiBlockDataSet> BoxViews()
-{
-  std::vector<Photo> photos = BoxPhotos();
-  ShrinkSilhouette(photos[5], 2);
-  return ToBlocks(photos);
-}
-
-/** What one synthesis made, and how. */
-struct Outcome
-{
-  std::vector<std::uint8_t> Color;
-  vtkIdType CrustPoints = 0;
-  std::set<std::string> Stages;
-  std::vector<std::string> Warnings;
-};
-
-Outcome Synthesise(const SynthesisOptions& options, vtkMultiBlockDataSet* views)
-{
-  Outcome outcome;
-  SynthesisListener listener;
-  listener.StageDone = [&](const std::string& stage, double) { outcome.Stages.insert(stage); };
-  listener.Warn = [&](const std::string& text) { outcome.Warnings.push_back(text); };
-  Synthesis synthesis(views, options, listener);
-  const Camera camera = InterpolateOnOrbit(
-    AttachedCamera(ViewImage(views, 2), "a"), AttachedCamera(ViewImage(views, 3), "b"), 0.5);
-  const NovelView view = synthesis.Render(camera, Stage::Full);
-  auto* color = view.Image->GetPointData()->GetArray(arrays::Color);
-  const auto* bytes = static_cast<const std::uint8_t*>(color->GetVoidPointer(0));
-  outcome.Color.assign(bytes, bytes + color->GetDataSize());
-  outcome.CrustPoints = synthesis.Crust()->GetNumberOfPoints();
-  EXPECT_EQ(synthesis.Hull()->GetNumberOfPolys(), 0);
-  EXPECT_GT(synthesis.MedialBalls()->GetNumberOfPoints(), 0);
-  return outcome;
-}
-
-class StageCacheTest : public testing::Test
+class StageCacheTest : public CacheTest
 {
 protected:
-  StageCacheTest() { this->Options.Cache = this->Folder.Path / "cache"; }
-
-  fs::path OnlyEntry() const
+  /** Expects the right picture with one warning of the cache, the first of all. */
+  void ExpectOneWarning(const Outcome& outcome, const Outcome& right, const std::string& part)
   {
-    std::vector<fs::path> entries;
-    for (const auto& entry : fs::directory_iterator(this->Options.Cache))
-    {
-      entries.push_back(entry.path());
-    }
-    EXPECT_EQ(entries.size(), 1u) << "one entry, and no temporary folder left";
-    return entries.front();
+    EXPECT_EQ(outcome.Color, right.Color);
+    ASSERT_EQ(outcome.Warnings.size(), right.Warnings.size() + 1);
+    EXPECT_EQ(std::count_if(outcome.Warnings.begin(), outcome.Warnings.end(),
+                [](const std::string& warning) { return warning.starts_with("cache: "); }),
+      1);
+    EXPECT_THAT(outcome.Warnings,
+      testing::Contains(testing::AllOf(
+        testing::StartsWith("cache: "), HasSubstr(part), testing::Not(HasSubstr("\n")))));
   }
-
-  testing_support::TemporaryFolder Folder;
-  SynthesisOptions Options = PresetOptions("best");
-  vtkSmartPointer<vtkMultiBlockDataSet> Views = BoxViews();
 };
 }
 
@@ -138,43 +98,106 @@ TEST_F(StageCacheTest, EverythingTheResultsFollowFromIsInTheKey)
     }));
 }
 
-TEST_F(StageCacheTest, ADamagedEntryIsMadeAnew)
+TEST_F(StageCacheTest, CacheManifestUncheckedIsNoMore)
 {
-  const Outcome first = Synthesise(this->Options, this->Views);
+  // The numbers and the warnings have a checksum as everything has.
+  const Outcome right = Synthesise(this->Options, this->Views);
   const fs::path entry = this->OnlyEntry();
-  const auto damages = std::vector<std::pair<const char*, void (*)(const fs::path&)>>{
-    { "crust.vtp", [](const fs::path& file) { fs::resize_file(file, fs::file_size(file) / 2); } },
-    { "view_0003.vti", [](const fs::path& file) { fs::remove(file); } },
-    { "hull.vtp",
-      [](const fs::path& file)
-      {
-        std::fstream stream(file, std::ios::in | std::ios::out | std::ios::binary);
-        stream.seekp(-100, std::ios::end);
-        stream.put('x').put('y');
-      } },
-    { "manifest.json", [](const fs::path& file) { std::ofstream(file) << "{ \"files\""; } }
-  };
-  for (const auto& [file, damage] : damages)
+  const std::string good = ReadText(entry);
+  const vtkSmartPointer<vtkMultiBlockDataSet> kept =
+    StageCache(this->Options.Cache, this->Views, this->Options).Load()->Views;
+  const double noise = AttachedNumber(kept, arrays::DepthNoise, -1);
+  ASSERT_GT(noise, 0);
+  std::string changed = good;
+  const std::size_t at =
+    changed.find(std::string(reinterpret_cast<const char*>(&noise), sizeof(noise)));
+  ASSERT_NE(at, std::string::npos);
+  const double other = 3.5;
+  changed.replace(at, sizeof(other), reinterpret_cast<const char*>(&other), sizeof(other));
+  WriteText(entry, changed);
+  this->ExpectOneWarning(
+    Synthesise(this->Options, this->Views), right, "the checksum of its notes is wrong");
+  EXPECT_TRUE(ReadText(entry) == good) << "a good entry took the bad one's place";
+}
+
+TEST_F(StageCacheTest, CacheStaleWarningIsNotRepeated)
+{
+  const Outcome right = Synthesise(this->Options, this->Views);
+  fs::resize_file(this->OnlyEntry(), fs::file_size(this->OnlyEntry()) - 1);
+  this->ExpectOneWarning(Synthesise(this->Options, this->Views), right, "too short");
+  const Outcome again = Synthesise(this->Options, this->Views);
+  EXPECT_EQ(again.Warnings, right.Warnings);
+  EXPECT_FALSE(again.Stages.count("power crust"));
+}
+
+TEST_F(StageCacheTest, WhateverStandsInTheEntrysPlaceIsOneWarning)
+{
+  const Outcome right = Synthesise(this->Options, this->Views);
+  const fs::path entry = this->OnlyEntry();
+  const std::string good = ReadText(entry);
+  const auto replaced = [&](const std::string& part)
   {
-    damage(entry / file);
-    const Outcome again = Synthesise(this->Options, this->Views);
-    EXPECT_EQ(again.Color, first.Color) << file;
-    EXPECT_TRUE(again.Stages.count("power crust")) << file;
-    ASSERT_FALSE(again.Warnings.empty());
-    EXPECT_THAT(again.Warnings.front(),
-      testing::AllOf(testing::StartsWith("cache: "), testing::HasSubstr("made anew")));
-    EXPECT_FALSE(Synthesise(this->Options, this->Views).Stages.count("power crust"))
-      << "mended: " << file;
+    this->ExpectOneWarning(Synthesise(this->Options, this->Views), right, part);
+    EXPECT_TRUE(ReadText(entry) == good) << part;
+  };
+  WriteText(entry, "");
+  replaced("too short");
+  WriteText(entry, std::string(1000, 'x'));
+  replaced("no cache file");
+  WriteText(entry, good + "x");
+  replaced("too long");
+  fs::create_hard_link(entry, this->Folder / "kept");
+  WriteText(entry, "");
+  replaced("too short");
+  EXPECT_EQ(ReadText(this->Folder / "kept"), "") << "a new file, not new bytes in the old one";
+  // What is no regular file is none of ours, and stays.
+  fs::remove(entry);
+  ASSERT_EQ(::mkfifo(entry.c_str(), 0600), 0);
+  this->ExpectOneWarning(Synthesise(this->Options, this->Views), right, "no regular file");
+  EXPECT_TRUE(fs::is_fifo(entry));
+  fs::remove(entry);
+  fs::create_directories(entry / "of the user");
+  this->ExpectOneWarning(Synthesise(this->Options, this->Views), right, "no regular file");
+  EXPECT_TRUE(fs::exists(entry / "of the user"));
+  fs::remove_all(entry);
+  fs::create_symlink(entry.filename(), entry); // to itself
+  this->ExpectOneWarning(Synthesise(this->Options, this->Views), right, "cannot be read");
+}
+
+TEST_F(StageCacheTest, AnEntryOfOtherPhotographsIsNone)
+{
+  const Outcome right = Synthesise(this->Options, this->Views);
+  const fs::path entry = this->OnlyEntry();
+  const auto others = BoxViews();
+  ViewImage(others, 4)->GetPointData()->GetArray(arrays::Color)->SetComponent(77, 1, 3);
+  Synthesise(this->Options, others);
+  fs::copy_file(StageCache(this->Options.Cache, others, this->Options).Entry(), entry,
+    fs::copy_options::overwrite_existing);
+  this->ExpectOneWarning(Synthesise(this->Options, this->Views), right, "of something else");
+}
+
+TEST_F(StageCacheTest, CachePermissionIsOneWarning)
+{
+  const Outcome right = Synthesise(this->Options, this->Views);
+  if (::geteuid() == 0)
+  {
+    // Root may read everything, but not a name that is too long.
+    this->Options.Cache = this->Folder.Path / std::string(300, 'x');
+    this->ExpectOneWarning(Synthesise(this->Options, this->Views), right, "cannot be read");
+    return;
   }
+  fs::permissions(this->Options.Cache, fs::perms::none);
+  this->ExpectOneWarning(Synthesise(this->Options, this->Views), right, "cannot be read");
+  fs::permissions(this->Options.Cache, fs::perms::owner_all);
 }
 
 TEST_F(StageCacheTest, AFolderThatCannotBeWrittenIsAWarning)
 {
-  std::ofstream(this->Options.Cache) << "a file";
-  const Outcome outcome = Synthesise(this->Options, this->Views);
-  ASSERT_FALSE(outcome.Warnings.empty());
-  EXPECT_THAT(outcome.Warnings.back(), testing::HasSubstr("the cache cannot be written"));
-  EXPECT_FALSE(outcome.Color.empty());
+  const Outcome right = Synthesise(this->Options, this->Views);
+  this->Options.Cache = this->Folder.Path / "file";
+  WriteText(this->Options.Cache, "of the user");
+  this->ExpectOneWarning(Synthesise(this->Options, this->Views), right, "nothing is kept");
+  EXPECT_EQ(ReadText(this->Options.Cache), "of the user");
 }
 
 TEST_F(StageCacheTest, AStopWhileItIsReadIsNoDamage)
