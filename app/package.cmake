@@ -28,7 +28,7 @@ install(FILES "${CMAKE_CURRENT_LIST_DIR}/novelview.bash"
   DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions" RENAME novelview)
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/novelview" RENAME copyright)
 # The pages refer to each other by their places in the source.
-foreach(page README.md app/README.md pipeline/README.md pipeline/python/README.md vtkfilters/README.md
+foreach(page README.md app/CHANGELOG.md app/README.md pipeline/README.md pipeline/python/README.md vtkfilters/README.md
     tests/README.md data/README.md)
   get_filename_component(folder "${page}" DIRECTORY)
   install(FILES "${PROJECT_SOURCE_DIR}/${page}"
