@@ -27,7 +27,13 @@ endif()
 install(FILES "${CMAKE_CURRENT_LIST_DIR}/novelview.bash"
   DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions" RENAME novelview)
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/novelview" RENAME copyright)
-install(FILES "${PROJECT_SOURCE_DIR}/README.md" DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/novelview")
+# The pages refer to each other by their places in the source.
+foreach(page README.md app/CHANGELOG.md app/README.md pipeline/README.md pipeline/python/README.md vtkfilters/README.md
+    tests/README.md data/README.md)
+  get_filename_component(folder "${page}" DIRECTORY)
+  install(FILES "${PROJECT_SOURCE_DIR}/${page}"
+    DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/novelview/${folder}")
+endforeach()
 
 # ---- Package -------------------------------------------------------------------------------------
 set(CPACK_GENERATOR DEB)

@@ -95,4 +95,4 @@ if [ -n "${NOVELVIEW_TEMPLE:-}" ]; then
 fi
 python3 "$root/tests/ablation_table.py" "$out/runs.tsv" >"$out/ablation.md.part"
 mv "$out/ablation.md.part" "$out/ablation.md"
-echo "The tables: $out/ablation.md; into README.md by: tests/ablation_table.py $out/runs.tsv --readme README.md"
+echo "The tables: $out/ablation.md; into the READMEs by: tests/ablation_table.py $out/runs.tsv --readme README.md tests/README.md"

@@ -3,7 +3,7 @@
 """Markdown tables of the evaluations that tests/ablation.sh has run.
 
 usage: ablation_table.py RUNS.tsv > ablation.md
-       ablation_table.py RUNS.tsv --readme README.md   puts the tables of README.md anew: what is
+       ablation_table.py RUNS.tsv --readme FILE...     replaces the tables of these pages: what is
                                                        between <!-- ablation NAME --> and <!-- end -->
 
 Every line of RUNS.tsv is: object, configuration and scores.json, separated by tabs. Objects and
@@ -122,23 +122,30 @@ def parts(runs, objects, configurations):
                                      for name in objects] for configuration in configurations])
 
 
-def update_readme(path, runs, objects, configurations):
-    with open(path, encoding="utf-8") as file:
-        text = file.read()
+def update_readmes(paths, runs, objects, configurations):
+    texts = {}
+    for path in paths:
+        with open(path, encoding="utf-8") as file:
+            texts[path] = file.read()
     for name, content in (("best", best_means(runs, objects)),
                           ("parts", parts(runs, objects, configurations)),
                           ("views", best_views(runs, objects))):
-        text, count = re.subn(rf"(<!-- ablation {name} -->\n).*?(\n<!-- end -->)",
-                              lambda found, new=content: found[1] + new + found[2].lstrip("\n"),
-                              text, flags=re.DOTALL)
-        if count != 1:
-            sys.exit(f"{path}: {count} places for the table '{name}', not one")
-    with open(path, "w", encoding="utf-8") as file:
-        file.write(text)
+        places = 0
+        for path, text in texts.items():
+            texts[path], count = re.subn(
+                rf"(<!-- ablation {name} -->\n).*?(\n<!-- end -->)",
+                lambda found, new=content: found[1] + new + found[2].lstrip("\n"),
+                text, flags=re.DOTALL)
+            places += count
+        if places != 1:
+            sys.exit(f"{places} places for the table '{name}' in {', '.join(paths)}, not one")
+    for path, text in texts.items():
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)
 
 
 def main():
-    if len(sys.argv) != 2 and not (len(sys.argv) == 4 and sys.argv[2] == "--readme"):
+    if len(sys.argv) != 2 and not (len(sys.argv) > 3 and sys.argv[2] == "--readme"):
         sys.exit(__doc__)
     runs, objects, configurations = {}, {}, {}
     with open(sys.argv[1], encoding="utf-8") as lines:
@@ -149,8 +156,8 @@ def main():
             objects[name] = configurations[configuration] = True
     objects, configurations = list(objects), list(configurations)
 
-    if len(sys.argv) == 4:
-        update_readme(sys.argv[3], runs, objects, configurations)
+    if len(sys.argv) > 3:
+        update_readmes(sys.argv[3:], runs, objects, configurations)
         return
     print("# Ablation\n")
     print("RMS in grey levels / SSIM over the foreground, means over the held-out views.\n")

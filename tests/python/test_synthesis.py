@@ -128,8 +128,8 @@ class Readme(unittest.TestCase):
     def test_readme_shows_the_example_word_for_word(self):
         example = (SOURCE / "tests/python/readme_example.py").read_text()
         example = example.partition("\n")[2]  # without the licence's line
-        shown = f"```python\n{example}```" in (SOURCE / "README.md").read_text()
-        self.assertTrue(shown, "README.md does not show tests/python/readme_example.py")
+        shown = f"```python\n{example}```" in (SOURCE / "pipeline/python/README.md").read_text()
+        self.assertTrue(shown, "pipeline/python/README.md does not show tests/python/readme_example.py")
 
     def test_the_example_makes_the_novel_view(self):
         with tempfile.TemporaryDirectory() as folder:
