@@ -174,8 +174,9 @@ vtkSmartPointer<vtkPolyData> Part()
   constexpr int perSide = 32;
   constexpr int around = 4 * perSide;
   const double corner = std::atan2(0.7, 1.0);
-  const std::array<double, 5> corners = { -corner, corner, EIGEN_PI - corner, EIGEN_PI + corner,
-    2 * EIGEN_PI - corner };
+  // EIGEN_PI has more digits than a double, and the sums are rounded once.
+  const std::array<double, 5> corners = { -corner, corner, static_cast<double>(EIGEN_PI - corner),
+    static_cast<double>(EIGEN_PI + corner), static_cast<double>(2 * EIGEN_PI - corner) };
   vtkNew<vtkPoints> points;
   for (int ring = 0; ring < 4; ++ring)
   {

@@ -131,7 +131,7 @@ TEST(EvaluationScores, ClosureIsThatOfTheMeans)
 TEST(EvaluationScores, ViewsWorseThanTheirHullAreNamed)
 {
   EXPECT_THAT(WorseThanHull(TwoViews()), ElementsAre("b,c.png"));
-  EXPECT_EQ(EvaluationJson(TwoViews())["worse_than_hull"], nlohmann::json({ "b,c.png" }));
+  EXPECT_EQ(EvaluationJson(TwoViews())["worse_than_hull"], nlohmann::json::array({ "b,c.png" }));
 }
 
 TEST(EvaluationScores, CsvHoldsEveryNumberAndQuotesNamesWithCommas)

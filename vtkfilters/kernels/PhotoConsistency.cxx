@@ -29,21 +29,22 @@ static_assert(std::endian::native == std::endian::little);
   using Words [[gnu::vector_size(16)]] = std::uint16_t;
   FourInts packed{};
   std::memcpy(&packed, from, 4);
-  const auto words = (Words)__builtin_shuffle(
-    (Bytes)packed, Bytes{}, Bytes{ 0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23 });
-  values = (FourInts)__builtin_shuffle(words, Words{}, Words{ 0, 8, 1, 9, 2, 10, 3, 11 });
+  const auto words = (Words)__builtin_shufflevector(
+    (Bytes)packed, Bytes{}, 0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23);
+  values = (FourInts)__builtin_shufflevector(words, Words{}, 0, 8, 1, 9, 2, 10, 3, 11);
 }
 
 /** Eight bytes as numbers; three instructions where there is a shuffle of bytes, many elsewhere. */
-[[gnu::always_inline]] inline void LoadBytes(const std::uint8_t* from, EightInts& values)
+[[gnu::always_inline, maybe_unused]] inline void LoadBytes(
+  const std::uint8_t* from, EightInts& values)
 {
   using Bytes [[gnu::vector_size(32)]] = std::uint8_t;
   using Octets [[gnu::vector_size(32)]] = std::uint64_t;
   std::uint64_t packed;
   std::memcpy(&packed, from, 8);
-  const auto spread = (EightInts)__builtin_shuffle((Bytes)Octets{ packed, packed, packed, packed },
-    Bytes{ 0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3, 20, 20, 20, 20, 21, 21, 21, 21, 22, 22,
-      22, 22, 23, 23, 23, 23 });
+  const auto repeated = (Bytes)Octets{ packed, packed, packed, packed };
+  const auto spread = (EightInts)__builtin_shufflevector(repeated, repeated, 0, 0, 0, 0, 1, 1, 1, 1,
+    2, 2, 2, 2, 3, 3, 3, 3, 20, 20, 20, 20, 21, 21, 21, 21, 22, 22, 22, 22, 23, 23, 23, 23);
   values = spread & 0xff;
 }
 

@@ -28,8 +28,8 @@ Short8 LoadPair(const std::uint8_t* pixel)
   std::memcpy(&both, pixel, sizeof(both));
   using Word2 = std::uint64_t __attribute__((vector_size(16)));
   const Byte16 bytes = reinterpret_cast<Byte16>(Word2{ both, 0 });
-  const Byte16 order{ 0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23 };
-  return reinterpret_cast<Short8>(__builtin_shuffle(bytes, Byte16{}, order));
+  return reinterpret_cast<Short8>(__builtin_shufflevector(
+    bytes, Byte16{}, 0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23));
 }
 
 /** Bilinear R, G, B, luma, times 128. */
@@ -37,12 +37,10 @@ Float4 SamplePixel(const std::uint8_t* top, std::size_t stride, std::int16_t dow
 {
   const Short8 above = LoadPair(top);
   const Short8 column = above * 128 + (LoadPair(top + stride) - above) * down;
-  const Short8 low{ 0, 8, 1, 9, 2, 10, 3, 11 };
-  const Short8 high{ 4, 12, 5, 13, 6, 14, 7, 15 };
-  const Float4 a = __builtin_convertvector(
-    reinterpret_cast<Int4>(__builtin_shuffle(column, Short8{}, low)), Float4);
-  const Float4 b = __builtin_convertvector(
-    reinterpret_cast<Int4>(__builtin_shuffle(column, Short8{}, high)), Float4);
+  const Short8 low = __builtin_shufflevector(column, Short8{}, 0, 8, 1, 9, 2, 10, 3, 11);
+  const Short8 high = __builtin_shufflevector(column, Short8{}, 4, 12, 5, 13, 6, 14, 7, 15);
+  const Float4 a = __builtin_convertvector(reinterpret_cast<Int4>(low), Float4);
+  const Float4 b = __builtin_convertvector(reinterpret_cast<Int4>(high), Float4);
   return a + right * (b - a);
 }
 
