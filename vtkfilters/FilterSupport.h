@@ -56,7 +56,7 @@ int RunGuarded(vtkAlgorithm* filter, vtkInformationVector* outputs, const Body& 
         output->Initialize();
       }
     }
-    vtkErrorWithObjectMacro(filter, << error.what());
+    vtkErrorWithObjectMacro(filter, << ErrorText(error));
     return 0;
   }
 }
