@@ -20,9 +20,9 @@ protected:
   /** Whatever path leads to the photograph, it is refused and stays. */
   void ExpectKept(const fs::path& output)
   {
-    ExpectError([&] { AnnounceOutput(output); }, { output.filename().string(), "reads it" });
+    ExpectError([&] { AnnounceOutput(output); }, output.filename().string(), "reads it");
     ExpectError(
-      [&] { WriteTextAtomically(output, "new"); }, { output.filename().string(), "reads it" });
+      [&] { WriteTextAtomically(output, "new"); }, output.filename().string(), "reads it");
     EXPECT_EQ(ReadText(this->Photograph), "a photograph");
   }
 
@@ -61,14 +61,14 @@ TEST_F(InputFile, LinksAreTheFileItself)
 TEST_F(InputFile, AnnouncedFirstAndReadLaterIsRefusedToo)
 {
   AnnounceOutput(this->Photograph);
-  ExpectError([&] { ReadInputFile(this->Photograph); }, { "a.png", "would be replaced" });
-  ExpectError([&] { ProtectInput(this->Photograph); }, { "a.png", "would be replaced" });
+  ExpectError([&] { ReadInputFile(this->Photograph); }, "a.png", "would be replaced");
+  ExpectError([&] { ProtectInput(this->Photograph); }, "a.png", "would be replaced");
 }
 
 TEST_F(InputFile, TwoResultsOfOneNameAreRefused)
 {
   AnnounceOutput(this->Folder / "b.png");
-  ExpectError([&] { AnnounceOutput(this->Folder / "x/../b.png"); }, { "b.png", "twice" });
+  ExpectError([&] { AnnounceOutput(this->Folder / "x/../b.png"); }, "b.png", "twice");
 }
 
 TEST_F(InputFile, OwnResultsMayBeReadAndWrittenAgain)
@@ -85,7 +85,7 @@ TEST_F(InputFile, SameBytesAreNoReplacement)
   ProtectInput(this->Photograph);
   AnnounceText(this->Photograph, "a photograph");
   WriteTextAtomically(this->Photograph, "a photograph");
-  ExpectError([&] { AnnounceText(this->Photograph, "another"); }, { "reads it" });
+  ExpectError([&] { AnnounceText(this->Photograph, "another"); }, "reads it");
 }
 
 TEST_F(InputFile, ReplacingMayBeAllowed)
@@ -100,17 +100,17 @@ TEST_F(InputFile, PipesAndDevicesAndFoldersAreNoInput)
 {
   const fs::path pipe = this->Folder / "pipe";
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
-  ExpectError([&] { ReadInputFile(pipe); }, { "pipe", "is no regular file" });
-  ExpectError([&] { ReadInputStart(pipe, 4); }, { "pipe", "is no regular file" });
-  ExpectError([&] { ReadInputFile("/dev/zero"); }, { "/dev/zero", "a device" });
-  ExpectError([&] { ReadInputFile(this->Folder.Path); }, { "a folder" });
-  ExpectError([&] { ReadInputFile(this->Folder / "none"); }, { "none", "no such file" });
+  ExpectError([&] { ReadInputFile(pipe); }, "pipe", "is no regular file");
+  ExpectError([&] { ReadInputStart(pipe, 4); }, "pipe", "is no regular file");
+  ExpectError([&] { ReadInputFile("/dev/zero"); }, "/dev/zero", "a device");
+  ExpectError([&] { ReadInputFile(this->Folder.Path); }, "a folder");
+  ExpectError([&] { ReadInputFile(this->Folder / "none"); }, "none", "no such file");
 }
 
 TEST_F(InputFile, PipesAndDevicesAndFoldersAreNotReplaced)
 {
-  ExpectError([&] { WriteTextAtomically("/dev/null", "x"); }, { "/dev/null", "a device" });
-  ExpectError([&] { AnnounceOutput(this->Folder.Path); }, { "a folder" });
+  ExpectError([&] { WriteTextAtomically("/dev/null", "x"); }, "/dev/null", "a device");
+  ExpectError([&] { AnnounceOutput(this->Folder.Path); }, "a folder");
 }
 
 TEST_F(InputFile, TheStartAloneCanBeRead)
