@@ -315,13 +315,19 @@ int RunCommandLine(int argc, const char* const* argv, const Commands& commands)
       .Error(Explanation(app, error, argc, argv) + " (--help tells the options)");
     return ExitCode::Usage;
   }
+  catch (const std::exception& error)
+  {
+    Console(commands.Rank == 0 ? Verbosity::Normal : Verbosity::Silent).Error(ErrorText(error));
+    return ExitCode::Failed;
+  }
   Console console(commands.Rank == 0 ? parsed.Common.Level() : Verbosity::Silent);
   const auto failed = [&](const std::exception& error, int code)
   {
-    console.Error(error.what());
+    const std::string text = ErrorText(error);
+    console.Error(text);
     if (commands.Failed)
     {
-      commands.Failed(error.what());
+      commands.Failed(text);
     }
     return code;
   };
