@@ -2,7 +2,6 @@
 #include "CommandLine.h"
 
 #include "AtomicFile.h"
-#include "FailureText.h"
 #include "InputFile.h"
 #include "OptionParser.h"
 #include "Parallel.h"
@@ -316,10 +315,15 @@ int RunCommandLine(int argc, const char* const* argv, const Commands& commands)
       .Error(Explanation(app, error, argc, argv) + " (--help tells the options)");
     return ExitCode::Usage;
   }
+  catch (const std::exception& error)
+  {
+    Console(commands.Rank == 0 ? Verbosity::Normal : Verbosity::Silent).Error(ErrorText(error));
+    return ExitCode::Failed;
+  }
   Console console(commands.Rank == 0 ? parsed.Common.Level() : Verbosity::Silent);
   const auto failed = [&](const std::exception& error, int code)
   {
-    const std::string text = FailureText(error);
+    const std::string text = ErrorText(error);
     console.Error(text);
     if (commands.Failed)
     {

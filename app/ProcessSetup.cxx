@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ProcessSetup.h"
 
-#include "FailureText.h"
+#include "Error.h"
 #include "OutOfMemory.h"
 
 #include <vtkLogger.h>
@@ -29,7 +29,7 @@ namespace
   }
   catch (const std::exception& error)
   {
-    EndWithError(FailureText(error).c_str());
+    EndWithError(ErrorText(error).c_str());
   }
   catch (...)
   {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "BouguetCalibration.h"
 
+#include "CameraLimits.h"
 #include "Error.h"
+#include "InputFile.h"
 #include "NumberText.h"
 #include "PhotographFiles.h"
 #include "WriteChecks.h"
@@ -10,8 +12,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <map>
+#include <sstream>
 
 namespace novelview
 {
@@ -80,11 +82,7 @@ bool ParseAssignment(const std::string& line, std::string& name, Assigned& assig
 
 Script ReadScript(const fs::path& path)
 {
-  std::ifstream file(path);
-  if (!file)
-  {
-    throw Error(path.string(), "cannot be read");
-  }
+  std::istringstream file(ReadInputFile(path));
   Script script;
   int lineNumber = 0;
   for (std::string line; std::getline(file, line);)
@@ -141,8 +139,8 @@ Photograph IntrinsicsOf(const Script& script, const fs::path& path)
     }
     photograph.Distortion.Coefficients = kc->second.Numbers;
   }
-  photograph.Cam.Width = static_cast<int>(Needed(script, "nx", 1, path)[0]);
-  photograph.Cam.Height = static_cast<int>(Needed(script, "ny", 1, path)[0]);
+  photograph.Cam.Width = ExtentOf(Needed(script, "nx", 1, path)[0], "nx", path.string());
+  photograph.Cam.Height = ExtentOf(Needed(script, "ny", 1, path)[0], "ny", path.string());
   return photograph;
 }
 
@@ -279,9 +277,10 @@ void CheckShared(const std::vector<Photograph>& photographs)
         std::string("the format bouguet holds one ") + what + " for all photographs, and " +
           first.Name + " has another");
     }
-    if (photograph.Name.find('\'') != std::string::npos)
+    if (photograph.Name.find_first_of("'\r\n") != std::string::npos)
     {
-      throw Error("view " + photograph.Name, "a name with a quote cannot be written");
+      throw Error(
+        "view " + photograph.Name, "a name with a quote or a line break cannot be written");
     }
   }
 }

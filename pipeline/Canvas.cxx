@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Canvas.h"
 
+#include "PrintableText.h"
 #include "Threads.h"
 #include "ViewAccess.h"
 
@@ -159,7 +160,7 @@ void Canvas::AddColourBar(vtkScalarsToColors* table, const Box& box, const char*
 void Canvas::AddText(const std::string& text, int x, int y, const TextStyle& style)
 {
   vtkNew<vtkTextActor> actor;
-  actor->SetInput(text.c_str());
+  actor->SetInput(ValidUtf8(text).c_str());
   actor->SetDisplayPosition(x, this->Height - y);
   vtkTextProperty* property = actor->GetTextProperty();
   property->SetFontSize(style.SizePx);

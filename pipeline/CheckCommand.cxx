@@ -4,6 +4,7 @@
 #include "AtomicFile.h"
 #include "CheckPicture.h"
 #include "CommandSupport.h"
+#include "JsonFile.h"
 #include "NumberText.h"
 #include "Quantile.h"
 #include "Threads.h"
@@ -234,7 +235,7 @@ std::string CheckJson(const CheckReport& report)
       { "lossBeyondPx", loss[2] }, { "lossOppositePx", loss[3] },
       { "sigmas", report.PixelCentre->Sigmas } };
   }
-  return json.dump(2) + "\n";
+  return DumpJson(json) + "\n";
 }
 
 bool RunCheck(const CheckOptions& options, Console& console)

@@ -272,7 +272,7 @@ DatasetFormat ColmapTextFormat()
 {
   DatasetFormat format = ColmapFormat();
   format.Name = "colmap";
-  format.LookedFor = "cameras and images .bin or .txt in ., sparse/ or sparse/0/";
+  format.LookedFor = "cameras and images .bin or .txt, also in sparse/0/";
   format.Find = [](const fs::path& folder) { return FindModel(folder, { ".bin", ".txt" }); };
   format.Accepts = [](const fs::path& path)
   {
@@ -290,7 +290,7 @@ DatasetFormat ColmapBinaryFormat()
 {
   DatasetFormat format = ColmapFormat();
   format.Name = "colmap-binary";
-  format.LookedFor = "cameras.bin and images.bin in ., sparse/ or sparse/0/";
+  format.LookedFor = "cameras.bin and images.bin, also in sparse/0/";
   format.Find = [](const fs::path& folder) { return FindModel(folder, { ".bin" }); };
   format.Accepts = [](const fs::path&) { return false; }; // "colmap" accepts it
   format.Compose = [](const std::string&, const std::vector<Photograph>& photographs)

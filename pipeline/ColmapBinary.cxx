@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "CameraLimits.h"
 #include "ColmapModel.h"
 #include "Error.h"
+#include "InputFile.h"
 
 #include <bit>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 
 namespace novelview
 {
@@ -20,13 +20,8 @@ class ByteReader
 public:
   explicit ByteReader(const fs::path& path)
     : Path(path.string())
+    , Bytes(ReadInputFile(path))
   {
-    std::ifstream file(path, std::ios::binary);
-    if (!file)
-    {
-      throw Error(this->Path, "cannot be read");
-    }
-    this->Bytes.assign(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
   }
 
   template <class T>
@@ -95,11 +90,7 @@ int TakeExtent(ByteReader& reader)
 {
   const std::string where = reader.Where();
   const auto extent = reader.Take<std::uint64_t>();
-  if (extent > 1u << 20)
-  {
-    throw Error(where, "width or height is out of range", std::to_string(extent), "at most 2^20");
-  }
-  return static_cast<int>(extent);
+  return ExtentOf(static_cast<double>(extent), "width or height", where);
 }
 
 std::vector<ColmapCamera> ReadCameraRecords(const fs::path& path)

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ColmapModel.h"
 #include "Error.h"
+#include "InputFile.h"
 #include "NumberText.h"
 
-#include <fstream>
+#include <sstream>
 
 namespace novelview
 {
@@ -18,12 +19,8 @@ class LineReader
 public:
   explicit LineReader(const fs::path& path)
     : Path(path)
-    , File(path)
+    , File(ReadInputFile(path))
   {
-    if (!this->File)
-    {
-      throw Error(path.string(), "cannot be read");
-    }
   }
 
   /** The next line whatever it holds; false at the end. */
@@ -62,7 +59,7 @@ public:
 
 private:
   fs::path Path;
-  std::ifstream File;
+  std::istringstream File;
   int Number = 0;
 };
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Console.h"
 
+#include "JsonFile.h"
+#include "PrintableText.h"
 #include "Threads.h"
+#include "ToInt.h"
 
 #include <nlohmann/json.hpp>
 
@@ -78,7 +81,7 @@ bool Console::Progress(const std::string& what, double fraction)
   {
     const std::lock_guard<std::mutex> lock(this->BarMutex);
     this->What = what;
-    this->Fraction = std::clamp(fraction, 0.0, 1.0);
+    this->Fraction = ClampedNumber(fraction, 0, 1);
     this->DrawBar();
   }
   return !Interrupted();
@@ -154,25 +157,25 @@ bool Console::IsQuiet() const
 void Console::Info(const std::string& text)
 {
   this->ClearBar();
-  this->Out->info(text);
+  this->Out->info("{}", Printable(text));
 }
 
 void Console::Detail(const std::string& text)
 {
   this->ClearBar();
-  this->Out->debug(text);
+  this->Out->debug("{}", Printable(text));
 }
 
 void Console::Warn(const std::string& text)
 {
   this->ClearBar();
-  this->Err->warn(text);
+  this->Err->warn("{}", PrintableLine(text));
 }
 
 void Console::Error(const std::string& text)
 {
   this->ClearBar();
-  this->Err->error(text);
+  this->Err->error("{}", PrintableLine(text));
 }
 
 void Console::Summary()
@@ -199,7 +202,7 @@ std::string Console::TimingsText() const
   const nlohmann::ordered_json timings = { { "stages", stages }, { "overlap", this->Overlap },
     { "whole", this->SecondsSoFar() }, { "threads", NumberOfThreads() },
     { "peakMemoryMiB", PeakMemoryMiB() } };
-  return timings.dump(2) + "\n";
+  return DumpJson(timings) + "\n";
 }
 
 double Console::SecondsSoFar() const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Dataset.h"
 
+#include "CameraLimits.h"
 #include "ContourDistance.h"
 #include "DatasetFormats.h"
 #include "Error.h"
@@ -19,6 +20,23 @@ namespace novelview
 namespace fs = std::filesystem;
 namespace
 {
+/** Throws where a camera is none; its size may be unknown, 0x0. */
+void CheckCamera(const Photograph& photograph)
+{
+  const Camera& camera = photograph.Cam;
+  if (camera.Width == 0 && camera.Height == 0)
+  {
+    ValidateCalibration(camera, photograph.Where);
+    return;
+  }
+  if (camera.Width > MostExtentPx || camera.Height > MostExtentPx)
+  {
+    throw Error(photograph.Where, "image size is out of range",
+      SizeText(camera.Width, camera.Height), "sides of at most " + std::to_string(MostExtentPx));
+  }
+  ValidateCamera(camera, photograph.Where);
+}
+
 /** Throws where a camera in the project's convention is none, or a name is there twice. */
 void CheckCameras(const std::vector<Photograph>& photographs, const fs::path& calibration)
 {
@@ -29,10 +47,7 @@ void CheckCameras(const std::vector<Photograph>& photographs, const fs::path& ca
   std::set<std::string> names;
   for (const Photograph& photograph : photographs)
   {
-    Camera sized = photograph.Cam;
-    sized.Width = std::max(sized.Width, 1);
-    sized.Height = std::max(sized.Height, 1);
-    ValidateCamera(sized, photograph.Where);
+    CheckCamera(photograph);
     ValidateLens(photograph.Distortion, photograph.Where);
     if (!names.insert(photograph.Name).second)
     {
@@ -87,6 +102,10 @@ Prepared Prepare(const Photograph& photograph, const DatasetOptions& options)
   const PhotographPixels pixels =
     ReadPhotograph(photograph, options.ForceSilhouettes, options.Silhouette);
   const Image<std::uint8_t>& mask = pixels.Mask;
+  Camera camera = photograph.Cam;
+  camera.Width = mask.Width;
+  camera.Height = mask.Height;
+  ValidateCamera(camera, photograph.Where);
   Prepared result;
   result.Extracted = pixels.Source == MaskSource::Extracted;
   result.Covered = MeasureCoverage(mask.Ref());

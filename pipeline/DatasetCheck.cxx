@@ -93,6 +93,10 @@ private:
       const CheckedPhotograph& photograph = this->Report.Photographs[i];
       camera.Width = photograph.Width > 0 ? photograph.Width : std::max(camera.Width, 1);
       camera.Height = photograph.Height > 0 ? photograph.Height : std::max(camera.Height, 1);
+      if (photograph.Width > 0)
+      {
+        ValidateCamera(camera, this->Report.Cameras[i].Where);
+      }
     }
   }
 

@@ -88,7 +88,8 @@ FoundCalibration ChooseCalibration(
   std::vector<std::string> known;
   for (const DatasetFormat& each : DatasetFormats())
   {
-    if ((format == "auto" || format == each.Name) && !each.LookedFor.empty())
+    // A binary COLMAP model is one of both COLMAP formats.
+    if (format == each.Name || (format == "auto" && each.Name != "colmap-binary"))
     {
       known.push_back(each.LookedFor + " (" + each.Name + ")");
     }

@@ -9,6 +9,7 @@
 #include "EvaluationPlan.h"
 #include "EvaluationScores.h"
 #include "ImageFile.h"
+#include "JsonFile.h"
 #include "ObjectMesh.h"
 #include "PhotographFiles.h"
 #include "RunReport.h"
@@ -327,9 +328,7 @@ private:
       WriteTextAtomically(
         out / "report.html", EvaluationPageHtml(input, this->Views, this->Shots, photographs));
     }
-    // File names may hold bytes that are no UTF-8.
-    WriteTextAtomically(out / "scores.json",
-      summary.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+    WriteTextAtomically(out / "scores.json", DumpJson(summary) + "\n");
     for (const std::string& line : ScoreTable(this->Views))
     {
       this->Con.Info(line);

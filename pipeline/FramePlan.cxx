@@ -2,7 +2,10 @@
 #include "FramePlan.h"
 
 #include "CameraPath.h"
+#include "JsonFile.h"
+#include "NumberText.h"
 #include "Options.h"
+#include "ToInt.h"
 #include "ViewSpec.h"
 
 #include <algorithm>
@@ -102,7 +105,7 @@ public:
     , Dataset(dataset)
     , Usual(CameraOf("0", dataset))
     , File(options.Path.string())
-    , Whole(ReadJsonFile(options.Path))
+    , Whole(ReadJsonObject(options.Path))
   {
     CheckKeys(this->Whole, { "keys", "closed", "size" }, this->File);
     const Json keys = this->Whole.value("keys", Json());
@@ -205,9 +208,9 @@ private:
     const double steps = (path.End() - path.Begin()) * perFrame;
     if (!(steps < 1e6))
     {
-      throw UsageError(this->File, "is too long", std::to_string(steps), "at most 1000000 frames");
+      throw UsageError(this->File, "is too long", NumberText(steps), "at most 1000000 frames");
     }
-    return static_cast<int>(std::lround(steps)) + (this->Closed() ? 0 : 1);
+    return RoundToInt(steps) + (this->Closed() ? 0 : 1);
   }
 
   Camera ReadKey(const Json& key, const std::string& where) const
@@ -243,7 +246,7 @@ private:
     {
       throw UsageError(where, "has the wrong type", name.type_name(), "a name or a number from 0");
     }
-    return CameraOf(name.is_string() ? name.get<std::string>() : name.dump(), this->Dataset);
+    return CameraOf(name.is_string() ? name.get<std::string>() : DumpJson(name), this->Dataset);
   }
 
   Camera PosedKey(const Json& key, const std::string& where) const
@@ -286,8 +289,8 @@ private:
       const double fieldDeg = NumberOf(key["fieldOfView"], where + ", fieldOfView");
       if (key.contains("K") || !(fieldDeg > 0.1 && fieldDeg < 175))
       {
-        throw UsageError(where, "fieldOfView is not one, or beside K", key["fieldOfView"].dump(),
-          "0.1 to 175 degrees, without K");
+        throw UsageError(where, "fieldOfView is not one, or beside K",
+          JsonTypeText(key["fieldOfView"]), "0.1 to 175 degrees, without K");
       }
       const double height = this->Usual.Height;
       const double focal = height / (2 * std::tan(fieldDeg * EIGEN_PI / 360));

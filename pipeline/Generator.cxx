@@ -5,6 +5,7 @@
 #include "Error.h"
 #include "ImageFile.h"
 #include "InputFile.h"
+#include "JsonFile.h"
 #include "NumberText.h"
 #include "ObjectMesh.h"
 #include "Photographer.h"
@@ -161,7 +162,7 @@ std::string OptionsText(const GeneratorOptions& options)
     { "frame_shift", options.FrameShift }, { "frame_shift_views", options.FrameShiftViews },
     { "shadow_views", options.ShadowViews }, { "shadow_darkness", options.ShadowDarkness },
     { "masks", options.Masks } };
-  return json.dump(2) + "\n";
+  return DumpJson(json) + "\n";
 }
 
 /** Where the pictures of one list of cameras go and what becomes of each. */

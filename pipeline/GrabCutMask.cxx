@@ -3,6 +3,7 @@
 
 #include "Error.h"
 #include "OpenCvPixels.h"
+#include "ToInt.h"
 
 #include <opencv2/imgproc.hpp>
 
@@ -17,10 +18,12 @@ constexpr int WorkingSize = 640; ///< px; GrabCut's time grows faster than the n
 
 cv::Rect BoxIn(const cv::Mat& photo, const std::array<double, 4>& box, double scale)
 {
-  const cv::Point low(
-    static_cast<int>(std::lround(box[0] * scale)), static_cast<int>(std::lround(box[1] * scale)));
-  const cv::Point high(
-    static_cast<int>(std::lround(box[2] * scale)), static_cast<int>(std::lround(box[3] * scale)));
+  const auto x = [&](double value)
+  { return RoundToInt(ClampedNumber(value * scale, 0, photo.cols)); };
+  const auto y = [&](double value)
+  { return RoundToInt(ClampedNumber(value * scale, 0, photo.rows)); };
+  const cv::Point low(x(box[0]), y(box[1]));
+  const cv::Point high(x(box[2]), y(box[3]));
   return cv::Rect(low, high) & cv::Rect(cv::Point(0, 0), photo.size());
 }
 

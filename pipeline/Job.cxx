@@ -2,7 +2,9 @@
 #include "Job.h"
 
 #include "DatasetFormats.h"
+#include "JsonFile.h"
 #include "ModelFile.h"
+#include "PrintableText.h"
 #include "UsageError.h"
 
 #include <algorithm>
@@ -146,7 +148,7 @@ Options Layered(const fs::path& dataset, const GivenOptions& given)
   std::error_code failure;
   if (fs::is_regular_file(dataset, failure))
   {
-    const nlohmann::ordered_json object = ReadJsonFile(dataset);
+    const nlohmann::ordered_json object = ReadJsonObject(dataset);
     if (object.contains("preset"))
     {
       const OptionTable preset{ Find(table, "preset") };
@@ -487,6 +489,33 @@ ConvertOptions MakeConvertOptions(
   return options;
 }
 
+namespace
+{
+/** job.json must name every file exactly, which is found out before the work. */
+void CheckNames(const Job& job)
+{
+  Job copy = job;
+  copy.Out = fs::absolute(job.Out);
+  const nlohmann::ordered_json object = ToJson(OptionsOf(copy), copy.Out);
+  for (const auto& [key, value] : object.items())
+  {
+    const auto check = [&key = key](const nlohmann::ordered_json& each)
+    {
+      if (each.is_string() && !IsUtf8(each.get_ref<const std::string&>()))
+      {
+        throw Error(key, "is no UTF-8, so that the job.json of the results cannot name it",
+          each.get_ref<const std::string&>(), "another name");
+      }
+    };
+    check(value);
+    for (const nlohmann::ordered_json& each : value.is_array() ? value : nlohmann::ordered_json())
+    {
+      check(each);
+    }
+  }
+}
+}
+
 Job MakeJob(const fs::path& dataset, const GivenOptions& given)
 {
   Job job = Layered<Job>(dataset, given);
@@ -499,6 +528,7 @@ Job MakeJob(const fs::path& dataset, const GivenOptions& given)
     throw UsageError("--truth-mask", "is of no use without --truth");
   }
   CheckModelFiles(job.MeshOut, "--mesh-out");
+  CheckNames(job);
   return job;
 }
 
@@ -566,6 +596,6 @@ std::string JobText(const Job& job)
 {
   Job copy = job;
   copy.Out = (fs::absolute(job.Out) / "job.json").parent_path();
-  return ToJson(OptionsOf(copy), copy.Out).dump(2) + "\n";
+  return DumpJson(ToJson(OptionsOf(copy), copy.Out)) + "\n";
 }
 }

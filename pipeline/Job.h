@@ -179,7 +179,7 @@ using GivenOptions = std::vector<std::pair<std::string, std::vector<std::string>
  * ("dataset" among them). What the command line says goes over what the file says, which goes over
  * the preset. A preset on the command line replaces all stage options of the file.
  * Throws UsageError, also when data set, view or out folder are missing, or options contradict each
- * other.
+ * other; and Error when the job.json of the results could not hold a name, which must be UTF-8.
  */
 Job MakeJob(const std::filesystem::path& dataset, const GivenOptions& given);
 RenderOptions MakeRenderOptions(const std::filesystem::path& dataset, const GivenOptions& given);

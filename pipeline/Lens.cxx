@@ -2,6 +2,7 @@
 #include "Lens.h"
 
 #include "Error.h"
+#include "NumberText.h"
 #include "OpenCvPixels.h"
 
 #include <Eigen/Dense>
@@ -19,6 +20,7 @@ namespace
 /** The numbers of coefficients that OpenCV's perspective model comes with. */
 constexpr std::array<std::size_t, 5> PerspectiveCounts{ 4, 5, 8, 12, 14 };
 constexpr std::size_t FisheyeCount = 4;
+constexpr double MostCoefficient = 1e6; ///< of either sign; those of real lenses are far below
 
 /** The coefficients with zeros at the end, as many as OpenCV wants. */
 cv::Mat Padded(const Lens& lens)
@@ -126,10 +128,17 @@ void ValidateLens(const Lens& lens, const std::string& where)
     throw Error(where, "too many distortion coefficients", std::to_string(lens.Coefficients.size()),
       "at most " + std::to_string(most));
   }
-  if (!std::all_of(lens.Coefficients.begin(), lens.Coefficients.end(),
-        [](double coefficient) { return std::isfinite(coefficient); }))
+  for (const double coefficient : lens.Coefficients)
   {
-    throw Error(where, "distortion has numbers that are not finite");
+    if (!std::isfinite(coefficient))
+    {
+      throw Error(where, "distortion has numbers that are not finite");
+    }
+    if (std::abs(coefficient) > MostCoefficient)
+    {
+      throw Error(
+        where, "distortion coefficient is out of range", NumberText(coefficient), "-1e6 to 1e6");
+    }
   }
 }
 

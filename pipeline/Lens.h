@@ -42,7 +42,9 @@ struct Lens
 /** A lens without the zeros at its end. */
 Lens Trimmed(Lens lens);
 
-/** Throws Error when the numbers are not finite or of a number that the model does not have. */
+/**
+ * Throws Error when the coefficients are not finite, beyond 1e6, or more than the model has.
+ */
 void ValidateLens(const Lens& lens, const std::string& where);
 
 /** The pixel at which the lens shows what a pinhole of the same K shows at `pixel`. */

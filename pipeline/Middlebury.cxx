@@ -4,14 +4,16 @@
 #include "AtomicFile.h"
 #include "Error.h"
 #include "ImageFile.h"
+#include "InputFile.h"
 #include "NumberText.h"
+#include "PhotographFiles.h"
 #include "ViewAccess.h"
 
 #include <vtkImageData.h>
 
 #include <algorithm>
-#include <fstream>
 #include <set>
+#include <sstream>
 
 namespace novelview
 {
@@ -63,11 +65,7 @@ std::size_t ParseCount(const std::vector<std::string>& words, const std::string&
 /** The lines of a calibration file as they are. */
 std::vector<Photograph> ReadLines(const fs::path& parFile)
 {
-  std::ifstream file(parFile);
-  if (!file)
-  {
-    throw Error(parFile.string(), "calibration file cannot be read");
-  }
+  std::istringstream file(ReadInputFile(parFile));
   std::vector<Photograph> cameras;
   std::set<std::string> names;
   std::size_t count = 0;
@@ -147,9 +145,7 @@ std::vector<NamedCamera> ReadCameras(const fs::path& parFile)
   std::vector<NamedCamera> cameras;
   for (const Photograph& line : ReadLines(parFile))
   {
-    Camera sized = line.Cam;
-    sized.Width = sized.Height = 1;
-    ValidateCamera(sized, line.Where);
+    ValidateCalibration(line.Cam, line.Where);
     cameras.push_back(line);
   }
   return cameras;
@@ -163,15 +159,14 @@ void WriteCameras(const fs::path& parFile, const std::vector<NamedCamera>& camer
 std::vector<std::string> ParFilesIn(const fs::path& folder)
 {
   std::vector<std::string> found;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+  for (const fs::path& file : FilesIn(folder))
   {
-    const std::string name = entry.path().filename().string();
-    if (name.ends_with("_par.txt") && entry.is_regular_file())
+    const std::string name = file.filename().string();
+    if (name.ends_with("_par.txt"))
     {
       found.push_back(name);
     }
   }
-  std::sort(found.begin(), found.end());
   return found;
 }
 

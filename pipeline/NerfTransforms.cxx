@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "NerfTransforms.h"
 
+#include "CameraLimits.h"
 #include "Error.h"
 #include "ImageFile.h"
+#include "JsonFile.h"
 #include "NumberText.h"
 #include "PhotographFiles.h"
 #include "WriteChecks.h"
@@ -12,7 +14,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 
 namespace novelview
 {
@@ -64,7 +65,8 @@ public:
     const Json* value = this->Find(key);
     if (value && !value->is_number())
     {
-      throw Error(this->Where, "key \"" + key + "\" is no number", value->dump(), "a number");
+      throw Error(
+        this->Where, "key \"" + key + "\" is no number", JsonTypeText(*value), "a number");
     }
     return value ? value->get<double>() : otherwise;
   }
@@ -74,7 +76,7 @@ public:
     const Json* value = this->Find(key);
     if (value && !value->is_string())
     {
-      throw Error(this->Where, "key \"" + key + "\" is no text", value->dump(), "a text");
+      throw Error(this->Where, "key \"" + key + "\" is no text", JsonTypeText(*value), "a text");
     }
     return value ? value->get<std::string>() : "";
   }
@@ -140,9 +142,9 @@ double FocalLength(
 
 void SetIntrinsics(const Frame& frame, const fs::path& file, Camera& camera)
 {
-  camera.Width = static_cast<int>(frame.Number("w", 0));
-  camera.Height = static_cast<int>(frame.Number("h", 0));
-  if (camera.Width <= 0 || camera.Height <= 0)
+  camera.Width = ExtentOf(frame.Number("w", 0), "\"w\"", frame.Where);
+  camera.Height = ExtentOf(frame.Number("h", 0), "\"h\"", frame.Where);
+  if (camera.Width == 0 || camera.Height == 0)
   {
     const PictureSize size = ReadPictureSize(file);
     camera.Width = size.Width;
@@ -224,20 +226,7 @@ Photograph PhotographOf(const Frame& frame, const fs::path& folder)
 
 Calibration ReadNerf(const fs::path&, const fs::path& path)
 {
-  std::ifstream file(path);
-  if (!file)
-  {
-    throw Error(path.string(), "cannot be read");
-  }
-  Json whole;
-  try
-  {
-    whole = Json::parse(file);
-  }
-  catch (const Json::exception& error)
-  {
-    throw Error(path.string(), std::string("is no JSON: ") + error.what());
-  }
+  const Json whole = ReadJsonFile(path);
   const auto frames = whole.is_object() ? whole.find("frames") : whole.end();
   if (!whole.is_object() || frames == whole.end() || !frames->is_array())
   {
@@ -303,6 +292,7 @@ std::vector<FileContent> ComposeNerf(const std::string&, const std::vector<Photo
   for (const Photograph& photograph : photographs)
   {
     RefuseSkew(photograph, "nerf");
+    RequireUtf8Name(photograph, "nerf");
     const Camera stated = InConvention(NerfConvention(), photograph.Cam);
     intrinsics.push_back(IntrinsicsJson(photograph, stated));
     Json frame;
@@ -329,7 +319,7 @@ std::vector<FileContent> ComposeNerf(const std::string&, const std::vector<Photo
     }
   }
   whole["frames"] = frames;
-  return { { "transforms.json", whole.dump(2) + "\n" } };
+  return { { "transforms.json", DumpJson(whole) + "\n" } };
 }
 }
 

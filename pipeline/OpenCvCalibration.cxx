@@ -1,29 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "OpenCvCalibration.h"
 
+#include "CameraLimits.h"
 #include "Error.h"
-#include "ImageFile.h"
+#include "InputFile.h"
 #include "NumberText.h"
+#include "OpenCvStorage.h"
 #include "PhotographFiles.h"
+#include "WriteChecks.h"
 
 #include <opencv2/calib3d.hpp>
 #include <opencv2/core.hpp>
 
 #include <algorithm>
 #include <array>
-#include <fstream>
-#include <iterator>
+#include <cctype>
+#include <cmath>
 
 namespace novelview
 {
 namespace fs = std::filesystem;
 namespace
 {
-/** A node of a map by its key; null when there is none. Samples differ in capitals. */
-cv::FileNode NodeOf(const cv::FileNode& map, const std::string& key)
+/** A value of a map by its key; None when there is none. Samples differ in capitals. */
+const StorageNode& NodeOf(const StorageNode& map, const std::string& key)
 {
-  const auto spelt = [&map](std::string name) { return map[name]; };
-  if (const cv::FileNode node = spelt(key); !node.empty())
+  if (const StorageNode& node = map[key]; !node.IsNone())
   {
     return node;
   }
@@ -34,41 +36,26 @@ cv::FileNode NodeOf(const cv::FileNode& map, const std::string& key)
     c = first ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
     first = c == '_';
   }
-  return spelt(capital);
+  return map[capital];
 }
 
 /** What a view says and, behind it, what the whole file says for all. */
 struct ViewNodes
 {
-  cv::FileNode Own;
-  cv::FileNode Shared;
+  const StorageNode& Own;
+  const StorageNode& Shared;
   std::string Where;
 
-  cv::FileNode Find(const std::string& key) const
+  const StorageNode& Find(const std::string& key) const
   {
-    const cv::FileNode own = NodeOf(this->Own, key);
-    return own.empty() ? NodeOf(this->Shared, key) : own;
+    const StorageNode& own = NodeOf(this->Own, key);
+    return own.IsNone() ? NodeOf(this->Shared, key) : own;
   }
 
   /** The numbers of a matrix or of a list, row by row; none when the key is missing. */
   std::vector<double> Numbers(const std::string& key) const
   {
-    const cv::FileNode node = this->Find(key);
-    std::vector<double> numbers;
-    if (node.isSeq())
-    {
-      for (const cv::FileNode& each : node)
-      {
-        numbers.push_back(each.real());
-      }
-    }
-    else if (node.isMap())
-    {
-      cv::Mat matrix;
-      node.mat().convertTo(matrix, CV_64F);
-      numbers.assign(matrix.begin<double>(), matrix.end<double>());
-    }
-    return numbers;
+    return this->Find(key).Numbers(this->Where + ", \"" + key + "\"");
   }
 
   std::vector<double> Needed(const std::string& key, std::size_t count) const
@@ -83,10 +70,16 @@ struct ViewNodes
     return numbers;
   }
 
-  int Whole(const std::string& key) const
+  /** A number; 0 when the key is missing. */
+  double Number(const std::string& key) const
   {
-    const cv::FileNode node = this->Find(key);
-    return node.isInt() ? static_cast<int>(node) : (node.isReal() ? cvRound(node.real()) : 0);
+    const StorageNode& node = this->Find(key);
+    if (!node.IsNone() && node.What != StorageNode::Kind::Number)
+    {
+      throw Error(this->Where, "\"" + key + "\" is no number",
+        node.IsText() ? "'" + node.Text + "'" : "a list or map", "a number");
+    }
+    return std::rint(node.Number);
   }
 };
 
@@ -102,9 +95,9 @@ Eigen::Matrix3d RotationOf(const double* rvec)
 Lens LensOf(const ViewNodes& nodes)
 {
   Lens lens;
-  const cv::FileNode model = nodes.Find("distortion_model");
-  const std::string name = model.isString() ? static_cast<std::string>(model) : "";
-  if (name == "fisheye" || (name.empty() && nodes.Whole("fisheye_model") == 1))
+  const StorageNode& model = nodes.Find("distortion_model");
+  const std::string name = model.IsText() ? model.Text : "";
+  if (name == "fisheye" || (name.empty() && nodes.Number("fisheye_model") == 1))
   {
     lens.Kind = Lens::Model::Fisheye;
   }
@@ -124,33 +117,33 @@ Photograph IntrinsicsOf(const ViewNodes& nodes)
   Photograph photograph;
   photograph.Where = nodes.Where;
   photograph.Cam.K = Eigen::Map<const RowMajor3>(nodes.Needed("camera_matrix", 9).data());
-  photograph.Cam.Width = nodes.Whole("image_width");
-  photograph.Cam.Height = nodes.Whole("image_height");
+  photograph.Cam.Width = ExtentOf(nodes.Number("image_width"), "\"image_width\"", nodes.Where);
+  photograph.Cam.Height = ExtentOf(nodes.Number("image_height"), "\"image_height\"", nodes.Where);
   photograph.Distortion = LensOf(nodes);
   return photograph;
 }
 
-std::vector<Photograph> ReadViews(const cv::FileNode& root, const fs::path& file)
+std::vector<Photograph> ReadViews(const StorageNode& root, const fs::path& file)
 {
   std::vector<Photograph> photographs;
-  for (const cv::FileNode& view : root["views"])
+  for (const StorageNode& view : root["views"].Items)
   {
     const std::string place = file.string() + ", view " + std::to_string(photographs.size());
-    const cv::FileNode image = view["image"];
-    if (!image.isString())
+    const StorageNode& image = view["image"];
+    if (!image.IsText())
     {
       throw Error(place, "has no \"image\"");
     }
-    const auto path = static_cast<std::string>(image);
+    const std::string& path = image.Text;
     const ViewNodes nodes{ view, root, place + " (" + path + ")" };
     Photograph photograph = IntrinsicsOf(nodes);
     photograph.Name = NameOfFile(path);
     photograph.File = file.parent_path() / path;
-    if (const cv::FileNode mask = view["mask"]; mask.isString())
+    if (const StorageNode& mask = view["mask"]; mask.IsText())
     {
-      photograph.Mask = file.parent_path() / static_cast<std::string>(mask);
+      photograph.Mask = file.parent_path() / mask.Text;
     }
-    photograph.Cam.R = view["R"].empty()
+    photograph.Cam.R = view["R"].IsNone()
       ? RotationOf(nodes.Needed("rvec", 3).data())
       : Eigen::Matrix3d(Eigen::Map<const RowMajor3>(nodes.Needed("R", 9).data()));
     photograph.Cam.T = Eigen::Map<const Eigen::Vector3d>(nodes.Needed("tvec", 3).data());
@@ -160,20 +153,23 @@ std::vector<Photograph> ReadViews(const cv::FileNode& root, const fs::path& file
 }
 
 /** The photographs' files of a calibration sample: a list of texts, or texts with blanks between. */
-std::vector<fs::path> ListedImages(const cv::FileNode& root, const fs::path& folder)
+std::vector<fs::path> ListedImages(
+  const StorageNode& root, const fs::path& folder, const std::string& where)
 {
   std::vector<fs::path> files;
-  const cv::FileNode images = root["images"];
-  if (images.isString())
+  const StorageNode& images = root["images"];
+  for (const std::string& word : Words(images.IsText() ? images.Text : ""))
   {
-    for (const std::string& word : Words(static_cast<std::string>(images)))
-    {
-      files.push_back(folder / word);
-    }
+    files.push_back(folder / word);
   }
-  for (const cv::FileNode& image : images.isSeq() ? images : cv::FileNode())
+  for (const StorageNode& image : images.Items)
   {
-    files.push_back(folder / static_cast<std::string>(image));
+    if (!image.IsText())
+    {
+      throw Error(where, "\"images\" holds something else than file names",
+        image.Text.empty() ? "a list or map" : image.Text, "names in quotes");
+    }
+    files.push_back(folder / image.Text);
   }
   if (files.empty())
   {
@@ -185,7 +181,7 @@ std::vector<fs::path> ListedImages(const cv::FileNode& root, const fs::path& fol
   return files;
 }
 
-std::vector<Photograph> ReadSample(const cv::FileNode& root, const fs::path& file)
+std::vector<Photograph> ReadSample(const StorageNode& root, const fs::path& file)
 {
   const ViewNodes nodes{ root, root, file.string() };
   const std::vector<double> poses = nodes.Numbers("extrinsic_parameters");
@@ -194,7 +190,7 @@ std::vector<Photograph> ReadSample(const cv::FileNode& root, const fs::path& fil
     throw Error(file.string(), "no poses", "neither",
       "\"views\", or \"extrinsic_parameters\" with rows of 6 numbers");
   }
-  const std::vector<fs::path> files = ListedImages(root, file.parent_path());
+  const std::vector<fs::path> files = ListedImages(root, file.parent_path(), file.string());
   const std::size_t count = poses.size() / 6;
   if (files.size() != count)
   {
@@ -217,30 +213,24 @@ std::vector<Photograph> ReadSample(const cv::FileNode& root, const fs::path& fil
 
 Calibration ReadOpenCv(const fs::path&, const fs::path& file)
 {
-  SilenceOpenCv();
-  try
-  {
-    const cv::FileStorage storage(file.string(), cv::FileStorage::READ);
-    if (!storage.isOpened())
-    {
-      throw Error(file.string(), "cannot be read");
-    }
-    const cv::FileNode root = storage.root();
-    return { ProjectConvention(),
-      root["views"].isSeq() ? ReadViews(root, file) : ReadSample(root, file) };
-  }
-  catch (const cv::Exception& error)
-  {
-    throw Error(file.string(), "is no calibration of OpenCV: " + error.err);
-  }
+  const StorageNode root = ReadOpenCvStorage(file);
+  return { ProjectConvention(),
+    root["views"].IsList() ? ReadViews(root, file) : ReadSample(root, file) };
 }
 
+/** Whether a file of the folder, which may be anything, can be read and is a calibration. */
 bool HoldsCameraMatrix(const fs::path& path)
 {
-  std::ifstream file(path, std::ios::binary);
-  const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  return text.find("camera_matrix") != std::string::npos ||
-    text.find("Camera_Matrix") != std::string::npos;
+  try
+  {
+    const std::string text = ReadInputStart(path, MostStorageBytes);
+    return text.find("camera_matrix") != std::string::npos ||
+      text.find("Camera_Matrix") != std::string::npos;
+  }
+  catch (const Error&)
+  {
+    return false;
+  }
 }
 
 bool IsStorage(const fs::path& path)
@@ -251,16 +241,9 @@ bool IsStorage(const fs::path& path)
 
 std::vector<fs::path> FindOpenCv(const fs::path& folder)
 {
-  std::vector<fs::path> files;
-  std::error_code failure;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, failure))
-  {
-    if (entry.is_regular_file() && IsStorage(entry.path()) && HoldsCameraMatrix(entry.path()))
-    {
-      files.push_back(entry.path());
-    }
-  }
-  std::sort(files.begin(), files.end());
+  std::vector<fs::path> files = FilesIn(folder);
+  std::erase_if(
+    files, [](const fs::path& file) { return !IsStorage(file) || !HoldsCameraMatrix(file); });
   return files;
 }
 
@@ -294,6 +277,7 @@ std::vector<FileContent> ComposeOpenCv(
   {
     const Camera& camera = photograph.Cam;
     const Lens& lens = photograph.Distortion;
+    RequireAsciiName(photograph, "opencv");
     storage << "{"
             << "image" << photograph.Name;
     if (!photograph.Mask.empty())

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Options.h"
 
+#include "JsonFile.h"
 #include "NumberText.h"
 
 #include <algorithm>
 #include <cctype>
 #include <charconv>
-#include <fstream>
 #include <numeric>
-#include <set>
 #include <type_traits>
 
 namespace novelview
@@ -42,14 +41,6 @@ std::string ListText(const T& values)
     words.push_back(NumberText(value));
   }
   return Joined(words, ",");
-}
-
-/** What a JSON value is called in a message. */
-std::string TypeText(const Json& value)
-{
-  const std::string text = value.dump();
-  return std::string(value.type_name()) + " " +
-    (text.size() > 40 ? text.substr(0, 37) + "..." : text);
 }
 
 /** x0 y0 z0 x1 y1 z1: every second value must be above the first. */
@@ -296,7 +287,7 @@ private:
   {
     if (!fits)
     {
-      throw UsageError(this->Where, "has the wrong type", TypeText(this->Value), expected);
+      throw UsageError(this->Where, "has the wrong type", JsonTypeText(this->Value), expected);
     }
   }
   double Number(const Json& value) const
@@ -307,8 +298,8 @@ private:
   int Whole(const Json& value) const
   {
     this->Need(value.is_number_integer(), "a whole number");
-    const auto number = value.get<std::int64_t>();
-    this->InRange(static_cast<double>(number));
+    // Every number of 32 bits is a double.
+    const double number = this->InRange(value.get<double>());
     this->Need(
       number >= std::numeric_limits<int>::min() && number <= std::numeric_limits<int>::max(),
       "a whole number of 32 bits");
@@ -499,6 +490,11 @@ void SetFromText(const Option& option, const std::vector<std::string>& words)
 std::string NearestWord(const std::string& word, const std::vector<std::string>& known)
 {
   std::string nearest;
+  constexpr std::size_t Longest = 100; // nobody misspells such a word, and comparing takes long
+  if (word.size() > Longest)
+  {
+    return nearest;
+  }
   // A third of the letters wrong is still a misspelling; more is another word.
   std::size_t least = std::max<std::size_t>(word.size() / 3, 1) + 1;
   for (const std::string& each : known)
@@ -550,31 +546,16 @@ Json ToJson(const OptionTable& table, const fs::path& folder)
   return object;
 }
 
-Json ReadJsonFile(const fs::path& path)
+Json ReadJsonObject(const fs::path& path)
 {
-  std::ifstream file(path);
-  if (!file)
-  {
-    throw UsageError(path.string(), "cannot be read");
-  }
-  std::set<std::string> keys;
-  const auto onlyOnce = [&](int depth, Json::parse_event_t event, Json& parsed)
-  {
-    if (event == Json::parse_event_t::key && depth == 1 &&
-      !keys.insert(parsed.get<std::string>()).second)
-    {
-      throw UsageError(path.string(), "key " + parsed.dump() + " is there twice");
-    }
-    return true;
-  };
   Json object;
   try
   {
-    object = Json::parse(file, onlyOnce);
+    object = ReadJsonFile(path);
   }
-  catch (const Json::exception& error)
+  catch (const Error& error)
   {
-    throw UsageError(path.string(), std::string("is no JSON: ") + error.what());
+    throw UsageError(error);
   }
   if (!object.is_object())
   {

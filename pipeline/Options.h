@@ -78,8 +78,8 @@ nlohmann::ordered_json ToJson(const OptionTable& table, const std::filesystem::p
 /** The known word nearest to a misspelt one by edit distance; empty when none is near. */
 std::string NearestWord(const std::string& word, const std::vector<std::string>& known);
 
-/** Reads a JSON object from a file; a key that is there twice is an error. Throws UsageError. */
-nlohmann::ordered_json ReadJsonFile(const std::filesystem::path& path);
+/** Reads the JSON object of a job or a path of cameras. Throws UsageError. */
+nlohmann::ordered_json ReadJsonObject(const std::filesystem::path& path);
 }
 
 #endif

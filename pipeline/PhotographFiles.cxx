@@ -87,15 +87,35 @@ fs::path MaskFileOf(const fs::path& folder, const std::string& name)
   return {};
 }
 
+std::vector<fs::path> FilesIn(const fs::path& folder)
+{
+  std::vector<fs::path> files;
+  std::error_code failure;
+  fs::directory_iterator entry(folder.empty() ? "." : folder, failure);
+  for (; !failure && entry != fs::directory_iterator(); entry.increment(failure))
+  {
+    if (IsFile(entry->path()))
+    {
+      files.push_back(folder / entry->path().filename());
+    }
+  }
+  if (failure && failure != std::errc::no_such_file_or_directory &&
+    failure != std::errc::not_a_directory)
+  {
+    throw Error(folder.string(), "folder cannot be read: " + failure.message());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
 std::vector<std::string> PhotographsIn(const fs::path& folder)
 {
   std::vector<std::string> names;
-  std::error_code failure;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, failure))
+  for (const fs::path& file : FilesIn(folder))
   {
-    if (entry.is_regular_file() && IsPicture(entry.path()) && !IsNamedMask(entry.path()))
+    if (IsPicture(file) && !IsNamedMask(file))
     {
-      names.push_back(entry.path().filename().string());
+      names.push_back(file.filename().string());
     }
   }
   std::sort(names.begin(), names.end(), NaturallyBefore);

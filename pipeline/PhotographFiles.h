@@ -20,6 +20,12 @@ namespace novelview
 std::filesystem::path MaskFileOf(const std::filesystem::path& folder, const std::string& name);
 
 /**
+ * The files that lie in a folder itself, sorted; none when there is no such folder. Throws Error when
+ * it cannot be read.
+ */
+std::vector<std::filesystem::path> FilesIn(const std::filesystem::path& folder);
+
+/**
  * The photographs that lie in a folder itself, by name, in natural order (a2 before a10). Masks
  * that lie beside them are left out.
  */

@@ -3,6 +3,7 @@
 
 #include "Error.h"
 #include "ImageFile.h"
+#include "JsonFile.h"
 #include "NumberText.h"
 #include "OpenCvPixels.h"
 #include "ReportTemplate.h"
@@ -15,19 +16,9 @@ namespace novelview
 {
 using Json = nlohmann::ordered_json;
 
-namespace
-{
-/** As JSON, where no byte is left that is no UTF-8. */
-std::string Dumped(const Json& value, int indent)
-{
-  return value.dump(indent, ' ', false, Json::error_handler_t::replace);
-}
-
-}
-
 std::string HtmlEscaped(const std::string& text)
 {
-  const std::string clean = Json::parse(Dumped(text, -1)).get<std::string>();
+  const std::string clean = Json::parse(DumpJson(text, -1)).get<std::string>();
   std::string escaped;
   for (const char c : clean)
   {
@@ -242,13 +233,13 @@ void ReportPage::AddCharts(const std::vector<ReportChart>& charts)
 void ReportPage::AddJson(const std::string& id, const std::string& heading, const Json& value)
 {
   this->Body += "<details" + Attribute("id", id) + "><summary>" + HtmlEscaped(heading) +
-    "</summary>\n<pre tabindex=\"0\">" + HtmlEscaped(Dumped(value, 2)) + "</pre></details>\n";
+    "</summary>\n<pre tabindex=\"0\">" + HtmlEscaped(DumpJson(value)) + "</pre></details>\n";
 }
 
 std::string ReportPage::Html(const Json& data) const
 {
   // Inside a script element only "<" can end it or begin a comment.
-  std::string block = Dumped(data, 1);
+  std::string block = DumpJson(data, 1);
   for (std::size_t at = block.find('<'); at != std::string::npos; at = block.find('<', at))
   {
     block.replace(at, 1, "\\u003c");

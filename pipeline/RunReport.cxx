@@ -4,6 +4,7 @@
 #include "AtomicFile.h"
 #include "Error.h"
 #include "ImageFile.h"
+#include "JsonFile.h"
 #include "PolyDataFile.h"
 #include "Threads.h"
 #include "ViewAccess.h"
@@ -319,6 +320,6 @@ void RunReport::Finish(const std::string& title) const
   {
     DrawCharts(title, this->History, this->Folder / "rms.png");
   }
-  WriteTextAtomically(this->Folder / "summary.json", this->Summary().dump(2) + "\n");
+  WriteTextAtomically(this->Folder / "summary.json", DumpJson(this->Summary()) + "\n");
 }
 }

@@ -2,7 +2,7 @@
 #include "SceneActors.h"
 
 #include "CameraUp.h"
-
+#include "PrintableText.h"
 #include "ViewAccess.h"
 
 #include <vtkActor.h>
@@ -107,7 +107,7 @@ vtkSmartPointer<vtkBillboardTextActor3D> Label(
   const SceneCamera& camera, const Eigen::Vector3d& place, int sizePx)
 {
   auto label = vtkSmartPointer<vtkBillboardTextActor3D>::New();
-  label->SetInput(camera.Label.c_str());
+  label->SetInput(ValidUtf8(camera.Label).c_str());
   label->SetPosition(place.x(), place.y(), place.z());
   label->GetTextProperty()->SetFontSize(camera.Bold ? sizePx + 3 : sizePx);
   label->GetTextProperty()->SetBold(camera.Bold);

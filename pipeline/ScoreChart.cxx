@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ScoreChart.h"
 
+#include "PrintableText.h"
+
 #include <vtkAxis.h>
 #include <vtkChartLegend.h>
 #include <vtkDoubleArray.h>
@@ -96,7 +98,7 @@ void FixRanges(
     ticks->InsertNextValue(tick);
     if (!labels.empty())
     {
-      names->InsertNextValue(labels[static_cast<std::size_t>(tick)]);
+      names->InsertNextValue(ValidUtf8(labels[static_cast<std::size_t>(tick)]));
     }
   }
   x->SetNotation(vtkAxis::PRINTF_NOTATION);

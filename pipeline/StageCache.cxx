@@ -5,7 +5,6 @@
 #include "CacheFile.h"
 #include "DataBytes.h"
 #include "Error.h"
-#include "FailureText.h"
 #include "InputFile.h"
 #include "Parallel.h"
 #include "PowerCrust.h"
@@ -302,7 +301,7 @@ std::optional<ViewIndependent> StageCache::Load()
   }
   catch (const std::exception& error)
   {
-    this->Wrong = FailureText(error);
+    this->Wrong = ErrorText(error);
   }
   return {};
 }

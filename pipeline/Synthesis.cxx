@@ -2,7 +2,6 @@
 #include "Synthesis.h"
 
 #include "Error.h"
-#include "FailureText.h"
 #include "NumberText.h"
 #include "StageCache.h"
 #include "StageRunner.h"
@@ -198,7 +197,7 @@ private:
     }
     catch (const std::exception& error)
     {
-      this->WarnOfCache(FailureText(error) + "; nothing is kept");
+      this->WarnOfCache(ErrorText(error) + "; nothing is kept");
     }
   }
 

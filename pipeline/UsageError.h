@@ -11,6 +11,10 @@ class UsageError : public Error
 {
 public:
   using Error::Error;
+  explicit UsageError(const Error& error)
+    : Error(error)
+  {
+  }
 };
 }
 

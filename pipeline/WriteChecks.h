@@ -6,6 +6,7 @@
 #include "Error.h"
 #include "NumberText.h"
 #include "Photograph.h"
+#include "PrintableText.h"
 
 #include <Eigen/Dense>
 
@@ -21,6 +22,29 @@ inline void RefuseSkew(const Photograph& photograph, const std::string& format)
   {
     throw Error("view " + photograph.Name,
       "K has a skew, which the format " + format + " cannot hold", NumberText(skew), "0");
+  }
+}
+
+/** For formats whose texts must be UTF-8. */
+inline void RequireUtf8Name(const Photograph& photograph, const std::string& format)
+{
+  if (!IsUtf8(photograph.Name) || !IsUtf8(photograph.Mask.string()))
+  {
+    throw Error("view " + photograph.Name,
+      "the format " + format + " cannot hold a file name that is no UTF-8");
+  }
+}
+
+/** For formats whose writers garble other characters. */
+inline void RequireAsciiName(const Photograph& photograph, const std::string& format)
+{
+  for (const char c : photograph.Name + photograph.Mask.string())
+  {
+    if (c < ' ' || c > '~')
+    {
+      throw Error("view " + photograph.Name,
+        "the format " + format + " cannot hold a file name with characters beyond ASCII");
+    }
   }
 }
 

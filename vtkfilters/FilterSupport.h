@@ -57,8 +57,7 @@ int RunGuarded(vtkAlgorithm* filter, vtkInformationVector* outputs, const Body& 
         output->Initialize();
       }
     }
-    const bool memory = dynamic_cast<const std::bad_alloc*>(&error);
-    vtkErrorWithObjectMacro(filter, << (memory ? "out of memory" : error.what()));
+    vtkErrorWithObjectMacro(filter, << ErrorText(error));
     return 0;
   }
 }

@@ -35,7 +35,7 @@ bool vtkOffscreenCapture::Capture(vtkRenderer* renderer, int width, int height, 
   }
   catch (const std::exception& error)
   {
-    vtkErrorMacro(<< error.what());
+    vtkErrorMacro(<< novelview::ErrorText(error));
     return false;
   }
 }

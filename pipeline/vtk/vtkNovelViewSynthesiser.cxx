@@ -3,6 +3,7 @@
 
 #include "FilterSupport.h"
 #include "Job.h"
+#include "JsonFile.h"
 #include "Synthesis.h"
 
 #include <vtkImageData.h>
@@ -26,7 +27,7 @@ public:
     novelview::SynthesisOptions options, const std::string& json)
   {
     const char* const where = "options";
-    const auto object = nlohmann::ordered_json::parse(json);
+    const auto object = novelview::ParseJson(json, where);
     if (!object.is_object())
     {
       throw novelview::Error(where, "are no JSON object", object.type_name(), "an object");
@@ -110,7 +111,7 @@ void vtkNovelViewSynthesiser::SetPreset(const char* name)
   }
   catch (const std::exception& error)
   {
-    vtkErrorMacro(<< error.what());
+    vtkErrorMacro(<< novelview::ErrorText(error));
   }
 }
 
@@ -131,7 +132,7 @@ bool vtkNovelViewSynthesiser::SetOptions(const char* json)
   }
   catch (const std::exception& error)
   {
-    vtkErrorMacro(<< error.what());
+    vtkErrorMacro(<< novelview::ErrorText(error));
     return false;
   }
 }
@@ -139,7 +140,7 @@ bool vtkNovelViewSynthesiser::SetOptions(const char* json)
 //------------------------------------------------------------------------------
 std::string vtkNovelViewSynthesiser::GetOptions()
 {
-  return novelview::ToJson(novelview::OptionsOf(this->Own->Options), ".").dump();
+  return novelview::DumpJson(novelview::ToJson(novelview::OptionsOf(this->Own->Options), "."), -1);
 }
 
 //------------------------------------------------------------------------------

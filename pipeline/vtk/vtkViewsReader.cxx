@@ -89,7 +89,7 @@ bool vtkViewsReader::ReadCamera(const char* view, vtkPinholeCamera* camera)
   }
   catch (const std::exception& error)
   {
-    vtkErrorMacro(<< error.what());
+    vtkErrorMacro(<< novelview::ErrorText(error));
     return false;
   }
 }

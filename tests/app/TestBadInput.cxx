@@ -4,6 +4,7 @@
 
 #include "ImageFile.h"
 #include "Middlebury.h"
+#include "PrintableText.h"
 
 #include <functional>
 
@@ -41,20 +42,36 @@ protected:
     words = given("--view") ? words : With(words, { "--view", "between:0,1" });
     words = given("--out") ? words : With(words, { "--out", this->Out.string() });
     const ProcessEnd end = RunProgram(With(words, more));
-    EXPECT_EQ(end.Code, code) << end.Err;
-    EXPECT_THAT(end.Err, testing::StartsWith("novelview: error: "));
-    EXPECT_EQ(std::count(end.Err.begin(), end.Err.end(), '\n'), 1) << end.Err;
-    for (const std::string& part : parts)
-    {
-      EXPECT_THAT(end.Err, HasSubstr(part));
-    }
+    ExpectLine(end, code, parts);
     // No stage has ended well enough to be written, so there is nothing at all.
     EXPECT_THAT(FilesBelow(this->Out), testing::IsEmpty());
   }
 
-  /** Replaces a word (0 = name, 1 = k11, 10 = r11, 19 = t1) in the line of photograph 2. */
-  void SetCalibrationWord(std::size_t word, const std::string& text)
+  /** Expects the end of a program that says one printable line with all these parts. */
+  static void ExpectLine(const ProcessEnd& end, int code, const std::vector<std::string>& parts)
   {
+    EXPECT_EQ(end.Code, code) << end.Err;
+    EXPECT_THAT(end.Err, testing::StartsWith("novelview: error: "));
+    EXPECT_EQ(std::count(end.Err.begin(), end.Err.end(), '\n'), 1) << end.Err;
+    EXPECT_LE(end.Err.size(), MostInLine + std::string("novelview: error: \n").size());
+    EXPECT_TRUE(IsUtf8(end.Err)) << end.Err;
+    for (const std::string& part : parts)
+    {
+      EXPECT_THAT(end.Err, HasSubstr(part));
+    }
+    for (const char* foreign : { "exception", "std::", "OpenCV(", "yaml-cpp", ".cxx", "basic_" })
+    {
+      EXPECT_THAT(end.Err, testing::Not(HasSubstr(foreign)));
+    }
+  }
+
+  /**
+   * Replaces a word (0 = name, 1 = k11, 10 = r11, 19 = t1) in the line of photograph 2; returns the
+   * old one.
+   */
+  std::string SetCalibrationWord(std::size_t word, const std::string& text)
+  {
+    std::string old;
     std::istringstream lines(ReadText(this->Data / "bunny_par.txt"));
     std::string result;
     std::string line;
@@ -65,11 +82,14 @@ protected:
       std::string changed;
       for (std::string each; stream >> each; ++at)
       {
-        changed += number == 4 && at == word ? text + " " : each + " ";
+        const bool meant = number == 4 && at == word;
+        old = meant ? each : old;
+        changed += (meant ? text : each) + " ";
       }
       result += changed + "\n";
     }
     WriteText(this->Data / "bunny_par.txt", result);
+    return old;
   }
 
   void SetMask(const std::function<bool(int x, int y)>& inside)
@@ -207,6 +227,96 @@ TEST_F(BadInput, RThatIsNoRotation)
 {
   this->SetCalibrationWord(10, "5");
   this->ExpectFailure(1, { "bunny_par.txt, line 4", "bunny0002.png", "R is not a rotation" });
+}
+
+TEST_F(BadInput, CameraNumbersThatOverflowAreImplausible)
+{
+  const std::vector<std::pair<std::size_t, std::string>> words{ { 1, "focal length fx" },
+    { 3, "principal point cx" }, { 5, "focal length fy" }, { 6, "principal point cy" },
+    { 19, "translation" } };
+  for (const auto& [word, name] : words)
+  {
+    const std::string old = this->SetCalibrationWord(word, "1e308");
+    this->ExpectFailure(1, { "bunny_par.txt, line 4", name + " is out of range", "1e+308" });
+    ExpectLine(RunProgram({ "check", this->Data.string(), "--quiet" }), 1, { name });
+    this->SetCalibrationWord(word, old);
+  }
+  this->SetCalibrationWord(3, "-1e308");
+  this->ExpectFailure(1, { "principal point cx is out of range", "got -1e+308" });
+}
+
+TEST_F(BadInput, AViewsCameraIsCheckedLikeThePhotographs)
+{
+  const std::string view = ReadText(this->Data / "bunny_par.txt");
+  this->SetCalibrationWord(3, "1e308");
+  fs::rename(this->Data / "bunny_par.txt", this->Folder / "view.txt");
+  WriteText(this->Data / "bunny_par.txt", view);
+  this->ExpectFailure(1, { "view.txt, line 4", "principal point cx is out of range" },
+    { "--view", "file:" + (this->Folder / "view.txt").string() + "#bunny0000.png" });
+  WriteText(this->Folder / "path.json",
+    R"({"keys": [{"camera": 0}, {"R": [1,0,0,0,1,0,0,0,1], "t": [0,0,1e308]}]})");
+  ExpectLine(RunProgram({ "orbit", this->Data.string(), "--quiet", "--out", this->Out.string(),
+               "--path", (this->Folder / "path.json").string() }),
+    1, { "path.json, key camera 1", "translation is out of range" });
+}
+
+TEST_F(BadInput, WordsOfTenMegabytesAreNotSaidBack)
+{
+  WriteText(this->Data / "bunny_par.txt", std::string(10000000, 'a'));
+  this->ExpectFailure(1, { "bunny_par.txt, line 1", "no count of photographs", "aaa..." });
+  this->ExpectFailure(2, { "unknown option --xxx", "..." }, { "--" + std::string(100000, 'x') });
+  this->ExpectFailure(2, { "unknown option --\\x1B[31m" }, { "--\x1B[31m" });
+}
+
+TEST_F(BadInput, JsonNestedAHundredThousandDeepIsNoCrash)
+{
+  const std::string nested = std::string(100000, '[') + std::string(100000, ']');
+  const fs::path job = this->Data / "job.json";
+  WriteText(job, R"({"dataset": ".", "references": )" + nested + "}");
+  this->ExpectFailure(2, { "job.json, line 1", "nested too deep" }, {}, job.string());
+  WriteText(
+    job, R"({"keys": [{"position": )" + nested + R"(, "lookAt": [0,0,0]}, {"camera": 0}]})");
+  ExpectLine(RunProgram({ "orbit", this->Data.string(), "--quiet", "--out", this->Out.string(),
+               "--path", job.string() }),
+    2, { "job.json, line 1", "nested too deep" });
+}
+
+TEST_F(BadInput, DamagedFilesOfOpenCvAreNoCrash)
+{
+  const std::string header = "%YAML:1.0\n---\ncamera_matrix: ";
+  const std::vector<std::pair<std::string, std::string>> files{
+    { "c.yml", header + std::string(50000, '[') },
+    { "c.yml", header + "!!opencv-matrix\n   rows: 99999999\n   cols: 99999999\n   dt: d\n" },
+    { "c.xml", "<?xml version=\"1.0\"?>\n<opencv_storage>\n<camera_matrix type_id=\"opencv-mat" },
+  };
+  fs::remove(this->Data / "bunny_par.txt");
+  for (const auto& [name, text] : files)
+  {
+    WriteText(this->Data / name, text);
+    ExpectLine(RunProgram({ "check", this->Data.string(), "--quiet" }), 1, { name });
+    fs::remove(this->Data / name);
+  }
+}
+
+TEST_F(BadInput, AFolderThatJobJsonCannotNameIsRefusedBeforeTheWork)
+{
+  const fs::path folder = this->Folder / "caf\xE9";
+  fs::rename(this->Data, folder);
+  this->ExpectFailure(1, { "dataset", "is no UTF-8", "caf\\xE9" }, {}, folder.string());
+}
+
+TEST_F(BadInput, PhotographsWithNamesThatAreNoUtf8AreNoHindrance)
+{
+  const std::string name = "caf\xE9.png";
+  this->SetCalibrationWord(0, name);
+  fs::rename(this->Data / "bunny0002.png", this->Data / name);
+  fs::rename(this->Data / "mask" / "bunny0002.png", this->Data / "mask" / name);
+  MustRun({ "run", this->Data.string(), "--quiet", "--view", "between:2,3", "--stage", "hull",
+    "--no-depth-maps", "--no-iterations", "--out", this->Out.string() });
+  EXPECT_TRUE(fs::exists(this->Out / "summary.json"));
+  EXPECT_NO_THROW(ReadJson(this->Out / "summary.json"));
+  MustRun({ "check", this->Data.string(), "--quiet", "--out", (this->Folder / "check").string() });
+  EXPECT_NO_THROW(ReadJson(this->Folder / "check" / "check.json"));
 }
 
 TEST_F(BadInput, EmptyMask)

@@ -2,6 +2,9 @@
 #include "Camera.h"
 #include "support/Expect.h"
 
+#include <cmath>
+#include <utility>
+
 using namespace novelview;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
@@ -110,6 +113,35 @@ TEST(Camera, BadCalibrationIsNamed)
   bad.T.x() = std::nan("");
   ExpectError([&] { ValidateCamera(bad, "view 3"); }, "not finite");
   bad = good;
+  bad.R(0, 0) = 1e308;
+  ExpectError([&] { ValidateCamera(bad, "view 3"); }, "R is not a rotation");
+  bad = good;
   bad.Width = 0;
   ExpectError([&] { ValidateCamera(bad, "view 3"); }, "got 0x480");
+}
+
+TEST(Camera, NumbersThatOverflowAreOutOfRange)
+{
+  Camera camera = OnCircle(0);
+  camera.Width = 640;
+  camera.Height = 480;
+  const auto refused = [&](double& number, double value, const auto&... parts)
+  {
+    const double old = std::exchange(number, value);
+    ExpectError([&] { ValidateCamera(camera, "view 3"); }, "view 3: ", parts...);
+    number = old;
+  };
+  refused(camera.K(0, 0), 1e308, "focal length fx", "got 1e+308, expected 0.64 to 6.4e+06");
+  refused(camera.K(1, 1), 1e-300, "focal length fy is out of range");
+  refused(camera.K(0, 1), -1e8, "skew is out of range");
+  refused(camera.K(0, 2), -1e308, "principal point cx", "expected -640000 to 640000");
+  refused(camera.K(1, 2), 1e308, "principal point cy is out of range");
+  refused(camera.T.y(), -1e13, "translation", "got 1e+13, expected 0 to 1e+12");
+  EXPECT_NO_THROW(ValidateCamera(camera, ""));
+  // As long as the size is not known, whatever fits the largest picture will do.
+  camera.Width = camera.Height = 0;
+  camera.K(0, 2) = 1e9;
+  EXPECT_NO_THROW(ValidateCalibration(camera, ""));
+  camera.K(0, 2) = 1e10;
+  ExpectError([&] { ValidateCalibration(camera, "view 3"); }, "principal point cx is out of range");
 }

@@ -56,6 +56,21 @@ TEST(Console, WritesWholeLinesWhereThereIsNoTerminal)
   EXPECT_EQ(normal.Err, "novelview: warning: a warning {}\nnovelview: error: an error\n");
 }
 
+TEST(Console, EveryLineIsOnePrintableLine)
+{
+  const Written written = Talk(Verbosity::Verbose,
+    [](Console& console)
+    {
+      console.Warn(std::string(10000000, 'a') + "\n\x1B[31m");
+      console.Error("caf\xE9\nb");
+      console.Info("caf\xE9\nb");
+    });
+  EXPECT_EQ(written.Out, "caf\\xE9 b\n");
+  EXPECT_LT(written.Err.size(), 400u);
+  EXPECT_THAT(written.Err, testing::HasSubstr("aaa...aaa"));
+  EXPECT_THAT(written.Err, testing::EndsWith("a \\x1B[31m\nnovelview: error: caf\\xE9 b\n"));
+}
+
 TEST(Console, OnATerminalTheBarsTimeGoesOnByItself)
 {
   int here = -1;

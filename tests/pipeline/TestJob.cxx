@@ -2,6 +2,7 @@
 #include "AtomicFile.h"
 #include "ImageFile.h"
 #include "Job.h"
+#include "JsonFile.h"
 #include "Middlebury.h"
 #include "TestSupport.h"
 
@@ -283,6 +284,6 @@ TEST(ViewSpec, UnknownCamerasAreNamed)
   { return [&dataset, text] { ResolveViewSpec(ParseViewSpec(text), dataset); }; };
   ExpectError(resolve("between:0,4"), "no camera of this number", "got 4, expected 0 to 3");
   ExpectError(resolve("like:c9.png"), "c_par.txt has no camera", "'c9.png'", "like c0.png");
-  ExpectError(resolve("file:nowhere_par.txt#a"), "nowhere_par.txt", "cannot be read");
+  ExpectError(resolve("file:nowhere_par.txt#a"), "nowhere_par.txt", "no such file");
   ExpectError(resolve(""), "view", "none given");
 }

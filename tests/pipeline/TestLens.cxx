@@ -186,4 +186,9 @@ TEST(Lens, BadOnesAreRefused)
       ValidateLens({ Lens::Model::Perspective, { std::nan("") } }, "here");
     },
     "not finite");
+  ExpectError(
+    [] {
+      ValidateLens({ Lens::Model::Perspective, { 0.1, -1e308 } }, "here");
+    },
+    "out of range", "got -1e+308, expected -1e6 to 1e6");
 }

@@ -248,7 +248,7 @@ TEST_F(Middlebury, CalibrationToChooseIsNamed)
   std::filesystem::remove(this->Folder / "other_par.txt");
   ExpectError(index, this->Folder.Path.string(), "no calibration file", "*_par.txt");
   ExpectError([&] { ReadDatasetIndex(this->Folder.Path, { this->Folder / "none.txt" }); },
-    "none.txt", "cannot be read");
+    "none.txt", "no such file");
 }
 
 TEST_F(Middlebury, BadCalibrationIsNamedByFileAndLine)

@@ -3,6 +3,7 @@
 
 #include "DisjointSets.h"
 #include "Error.h"
+#include "ToInt.h"
 
 #include <Eigen/Geometry>
 
@@ -233,8 +234,8 @@ void Measure(const TriangleMesh& mesh, AtlasLayout& layout)
     }
     chart.Origin = box.min().array().floor() - layout.PaddingPx;
     const Vector2d extent = box.max().array().ceil() - chart.Origin.array();
-    chart.Width = static_cast<int>(extent.x()) + 1 + layout.PaddingPx;
-    chart.Height = static_cast<int>(extent.y()) + 1 + layout.PaddingPx;
+    chart.Width = ToInt(extent.x()) + 1 + layout.PaddingPx;
+    chart.Height = ToInt(extent.y()) + 1 + layout.PaddingPx;
   }
 }
 
@@ -252,7 +253,7 @@ void Pack(AtlasLayout& layout)
     area += static_cast<double>(chart.Width) * chart.Height;
     widest = std::max(widest, chart.Width);
   }
-  layout.Width = std::max(widest, static_cast<int>(std::ceil(std::sqrt(area))));
+  layout.Width = std::max(widest, CeilToInt(std::sqrt(area)));
   int x = 0;
   int y = 0;
   int rowHeight = 0;

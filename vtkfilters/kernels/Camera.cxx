@@ -5,6 +5,7 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -17,6 +18,76 @@ std::string RowText(const Eigen::Matrix3d& m)
   std::ostringstream text;
   text << m.format(Eigen::IOFormat(6, Eigen::DontAlignCols, " ", "; "));
   return text.str();
+}
+
+/** Parts of a picture's larger side that calibrations stay between. */
+constexpr double LeastFocal = 1e-3;
+constexpr double MostFocal = 1e4;        // almost parallel rays
+constexpr double MostOffset = 1e3;       // of the principal point: a small part of a large picture
+constexpr double MostSize = 1 << 20;     ///< pixels
+constexpr double MostTranslation = 1e12; ///< world units
+
+/** The larger side of a picture, pixels, from what it is at least to what it is at most. */
+struct SizeRange
+{
+  double Least;
+  double Most;
+};
+
+void CheckRange(const char* what, double value, double least, double most, const std::string& where)
+{
+  if (!(value >= least && value <= most))
+  {
+    std::ostringstream got;
+    std::ostringstream range;
+    got << value;
+    range << least << " to " << most;
+    throw Error(where, std::string(what) + " is out of range", got.str(), range.str());
+  }
+}
+
+/** Whether the numbers of a camera are plausible for pictures of this size. */
+void CheckRanges(const Camera& camera, const SizeRange& size, const std::string& where)
+{
+  const Eigen::Matrix3d& K = camera.K;
+  CheckRange("focal length fx", K(0, 0), LeastFocal * size.Least, MostFocal * size.Most, where);
+  CheckRange("focal length fy", K(1, 1), LeastFocal * size.Least, MostFocal * size.Most, where);
+  CheckRange("skew", K(0, 1), -MostFocal * size.Most, MostFocal * size.Most, where);
+  CheckRange("principal point cx", K(0, 2), -MostOffset * size.Most, MostOffset * size.Most, where);
+  CheckRange("principal point cy", K(1, 2), -MostOffset * size.Most, MostOffset * size.Most, where);
+  CheckRange("translation", camera.T.cwiseAbs().maxCoeff(), 0, MostTranslation, where);
+}
+
+/** Whether all numbers are some, and K is one of a pinhole. */
+void CheckForm(const Camera& camera, const std::string& where)
+{
+  if (!camera.K.allFinite() || !camera.R.allFinite() || !camera.T.allFinite())
+  {
+    throw Error(where, "calibration has numbers that are not finite");
+  }
+  const double scale = camera.K.cwiseAbs().maxCoeff();
+  const bool triangular = std::abs(camera.K(1, 0)) <= 1e-9 * scale &&
+    std::abs(camera.K(2, 0)) <= 1e-9 && std::abs(camera.K(2, 1)) <= 1e-9 &&
+    std::abs(camera.K(2, 2) - 1) <= 1e-9;
+  if (!triangular || camera.K(0, 0) <= 0 || camera.K(1, 1) <= 0)
+  {
+    throw Error(where, "camera matrix K is singular or not a pinhole's", RowText(camera.K),
+      "fx s cx; 0 fy cy; 0 0 1 with fx, fy > 0");
+  }
+}
+
+/** Everything but the size itself. */
+void Validate(const Camera& camera, const SizeRange& size, const std::string& where)
+{
+  CheckForm(camera, where);
+  CheckRanges(camera, size, where);
+  const double offOrthogonal =
+    (camera.R * camera.R.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
+  if (!(offOrthogonal <= 1e-3) || camera.R.determinant() < 0)
+  {
+    throw Error(
+      where, "R is not a rotation", RowText(camera.R), "orthonormal rows and determinant +1");
+  }
 }
 
 /** A world-to-world rigid motion x -> Q x + D. */
@@ -69,6 +140,11 @@ Eigen::Vector3d Camera::RayDirection(const Eigen::Vector2d& pixel) const
   return (this->Unproject(pixel, 1.0) - this->Centre()).normalized();
 }
 
+void ValidateCalibration(const Camera& camera, const std::string& where)
+{
+  Validate(camera, { 1, MostSize }, where);
+}
+
 void ValidateCamera(const Camera& camera, const std::string& where)
 {
   if (camera.Width <= 0 || camera.Height <= 0)
@@ -76,26 +152,8 @@ void ValidateCamera(const Camera& camera, const std::string& where)
     throw Error(
       where, "image size is not positive", SizeText(camera.Width, camera.Height), "at least 1x1");
   }
-  if (!camera.K.allFinite() || !camera.R.allFinite() || !camera.T.allFinite())
-  {
-    throw Error(where, "calibration has numbers that are not finite");
-  }
-  const double scale = camera.K.cwiseAbs().maxCoeff();
-  const bool triangular = std::abs(camera.K(1, 0)) <= 1e-9 * scale &&
-    std::abs(camera.K(2, 0)) <= 1e-9 && std::abs(camera.K(2, 1)) <= 1e-9 &&
-    std::abs(camera.K(2, 2) - 1) <= 1e-9;
-  if (!triangular || camera.K(0, 0) <= 0 || camera.K(1, 1) <= 0)
-  {
-    throw Error(where, "camera matrix K is singular or not a pinhole's", RowText(camera.K),
-      "fx s cx; 0 fy cy; 0 0 1 with fx, fy > 0");
-  }
-  const double offOrthogonal =
-    (camera.R * camera.R.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
-  if (offOrthogonal > 1e-3 || camera.R.determinant() < 0)
-  {
-    throw Error(
-      where, "R is not a rotation", RowText(camera.R), "orthonormal rows and determinant +1");
-  }
+  const double size = std::max(camera.Width, camera.Height);
+  Validate(camera, { size, size }, where);
 }
 
 Camera InterpolateOnOrbit(const Camera& from, const Camera& to, double fraction)

@@ -2,6 +2,7 @@
 #ifndef novelview_Error_h
 #define novelview_Error_h
 
+#include <exception>
 #include <stdexcept>
 #include <string>
 
@@ -13,7 +14,8 @@ namespace novelview
  *
  *     view 3 (b0003.png): mask has the wrong size (got 640x480, expected 1280x960)
  *
- * It is one line, whatever the parts hold.
+ * It is one printable line of at most 300 bytes, whatever the parts hold: see PrintableText.h. Where
+ * that is too short, the longest parts lose their middle.
  */
 class Error : public std::runtime_error
 {
@@ -29,6 +31,12 @@ class Interrupted : public Error
 public:
   Interrupted();
 };
+
+/**
+ * What to tell of any exception, in the project's words: an Error's own line; for others what is to be
+ * done, never what a library says.
+ */
+std::string ErrorText(const std::exception& error);
 
 /** "640x480" */
 std::string SizeText(int width, int height);

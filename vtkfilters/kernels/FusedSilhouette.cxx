@@ -4,6 +4,7 @@
 #include "ContourDistance.h"
 #include "NovelWalker.h"
 #include "Rasteriser.h"
+#include "ToInt.h"
 #include "Visibility.h"
 
 #include <algorithm>
@@ -244,7 +245,7 @@ Image<float> Smoothed(const Image<float>& image, double sigma, const Execution& 
   {
     return image;
   }
-  const int radius = static_cast<int>(std::ceil(3 * sigma));
+  const int radius = CeilToInt(3 * sigma);
   std::vector<float> kernel;
   float sum = 0;
   for (int k = -radius; k <= radius; ++k)
@@ -315,7 +316,8 @@ Image<float> FusedSilhouette(const TriangleMesh& mesh, const std::vector<View>& 
   const Image<float> distance = Smoothed(tracer.Take(), options.SmoothingPx, execution);
   Image<std::uint8_t> coverage(distance.Width, distance.Height);
   std::transform(distance.Values.begin(), distance.Values.end(), coverage.Values.begin(),
-    [](float d) { return static_cast<std::uint8_t>(255 * std::clamp(0.5f - d, 0.f, 1.f)); });
+    [](float d)
+    { return static_cast<std::uint8_t>(255 * std::max(0.f, std::min(0.5f - d, 1.f))); });
   const auto area = static_cast<double>(std::count_if(coverage.Values.begin(),
     coverage.Values.end(), [](std::uint8_t value) { return value > 127; }));
   RemoveSmallRegions(coverage, true, 0.02 * area);

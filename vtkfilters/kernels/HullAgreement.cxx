@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "HullAgreement.h"
 
+#include "ToInt.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -178,7 +180,7 @@ public:
       return result;
     }
     const int needed =
-      std::max(1, static_cast<int>(std::ceil(this->Options.SeenShare * this->Lines.size())));
+      std::max(1, CeilToInt(this->Options.SeenShare * this->Lines.size()));
     const int steps = this->StepsIn(range);
     this->BestAt = range.From;
     // A look every now and then first: the better the best, the more can be skipped.
@@ -208,7 +210,7 @@ private:
     if (verdict.LeastId < 0)
     {
       // Distances change by no more than twice the step (that much only outside the frame).
-      return static_cast<int>(verdict.Shortfall / (2 * this->Options.StepPx));
+      return ToInt(verdict.Shortfall / (2 * this->Options.StepPx));
     }
     if (verdict.Seen < needed)
     {
@@ -297,7 +299,7 @@ private:
       }
     }
     const double steps = std::ceil(Parts * longest / this->Options.StepPx);
-    return static_cast<int>(std::clamp(steps, 1.0, static_cast<double>(MostSteps)));
+    return ToInt(ClampedNumber(steps, 1, MostSteps));
   }
 
   /** No verdict (LeastId -1) when the point cannot be better than what is known already. */

@@ -2,6 +2,8 @@
 #ifndef novelview_ImageRef_h
 #define novelview_ImageRef_h
 
+#include "ToInt.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -96,13 +98,13 @@ private:
 
 /**
  * Bilinear interpolation at (x, y), pixel centres on integers. Coordinates are clamped to the
- * image, so callers that must not read over the edge test that first.
+ * image, so callers that must not read over the edge test that first; a NaN becomes 0.
  */
 template <class T>
 double SampleBilinear(const ImageRef<T>& image, double x, double y, int channel = 0)
 {
-  x = std::clamp(x, 0.0, image.Width - 1.0);
-  y = std::clamp(y, 0.0, image.Height - 1.0);
+  x = ClampedNumber(x, 0, image.Width - 1);
+  y = ClampedNumber(y, 0, image.Height - 1);
   const int x0 = std::min(static_cast<int>(x), std::max(image.Width - 2, 0));
   const int y0 = std::min(static_cast<int>(y), std::max(image.Height - 2, 0));
   const int x1 = std::min(x0 + 1, image.Width - 1);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "MapComparison.h"
 
+#include "ToInt.h"
 #include "ViewSelection.h"
 
 #include <Eigen/Dense>
@@ -44,8 +45,8 @@ std::optional<Match> FindAgain(const View& view, int x, int y, const View& other
     return std::nullopt;
   }
   const Vector2d pixel = other.Cam.Project(point);
-  const int i = static_cast<int>(std::floor(pixel.x() + 0.5));
-  const int j = static_cast<int>(std::floor(pixel.y() + 0.5));
+  const int i = FloorToInt(pixel.x() + 0.5);
+  const int j = FloorToInt(pixel.y() + 0.5);
   if (!other.DepthMap.Contains(i, j) || other.DepthMap(i, j) <= 0 ||
     other.ContourDistance(i, j) < RimPx)
   {

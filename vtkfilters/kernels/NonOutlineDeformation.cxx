@@ -5,6 +5,7 @@
 #include "PhotoConsistency.h"
 #include "Rasteriser.h"
 #include "SilhouetteField.h"
+#include "ToInt.h"
 #include "ViewSelection.h"
 
 #include <algorithm>
@@ -236,7 +237,7 @@ private:
     };
     this->Energies[ptId] = energyAt(here, std::numeric_limits<double>::infinity());
     double least = this->Energies[ptId].Total;
-    const int steps = static_cast<int>(this->Options.SearchPx / this->Options.StepPx + 0.5);
+    const int steps = ToInt(this->Options.SearchPx / this->Options.StepPx + 0.5);
     for (int step = -steps; step <= steps; ++step)
     {
       const double offset = step * this->Options.StepPx;

@@ -4,6 +4,7 @@
 #include "MeshNeighbours.h"
 #include "NovelProjection.h"
 #include "PhotoConsistency.h"
+#include "ToInt.h"
 #include "ViewSelection.h"
 
 #include <algorithm>
@@ -169,7 +170,7 @@ private:
           this->EnergyAt(point, here, neighbours, std::numeric_limits<double>::infinity());
         this->Energies[point.Id] = point.Now;
         const int steps =
-          onlyHere ? 0 : static_cast<int>(this->Options.SearchPx / this->Options.StepPx + 0.5);
+          onlyHere ? 0 : ToInt(this->Options.SearchPx / this->Options.StepPx + 0.5);
         for (int step = -steps; step <= steps; ++step)
         {
           const double offset = step * this->Options.StepPx;
@@ -229,8 +230,8 @@ private:
 
 std::optional<Vector2d> OutlineDirection(const ItemBuffer& silhouette, const Vector2d& projection)
 {
-  const int x = static_cast<int>(std::lround(projection.x()));
-  const int y = static_cast<int>(std::lround(projection.y()));
+  const int x = RoundToInt(projection.x());
+  const int y = RoundToInt(projection.y());
   Vector2d sum = Vector2d::Zero();
   int background = 0;
   int model = 0;
@@ -267,8 +268,8 @@ std::optional<Vector2d> OutlineDirection(const ItemBuffer& silhouette, const Vec
 
 bool OnContour(const ItemBuffer& silhouette, const Vector2d& projection)
 {
-  const int x = static_cast<int>(std::lround(projection.x()));
-  const int y = static_cast<int>(std::lround(projection.y()));
+  const int x = RoundToInt(projection.x());
+  const int y = RoundToInt(projection.y());
   const auto cells = silhouette.CellId.Ref();
   bool background = false;
   bool model = false;

@@ -2,6 +2,7 @@
 #include "PhotoConsistency.h"
 
 #include "CpuClones.h"
+#include "ToInt.h"
 
 #include <algorithm>
 #include <bit>
@@ -176,8 +177,8 @@ void ReadWindow(const View& view, const Vector2d& centre, int radius, PhotoWindo
 {
   const ImageRef<const std::uint8_t>& image = view.Color;
   const int side = 2 * radius + 1;
-  const int firstX = static_cast<int>(std::floor(centre.x())) - radius;
-  const int firstY = static_cast<int>(std::floor(centre.y())) - radius;
+  const int firstX = FloorToInt(centre.x()) - radius;
+  const int firstY = FloorToInt(centre.y()) - radius;
   const auto fx = static_cast<float>(centre.x() - std::floor(centre.x()));
   const auto fy = static_cast<float>(centre.y() - std::floor(centre.y()));
   ReadObject(view, firstX + (fx >= 0.5f ? 1 : 0), firstY + (fy >= 0.5f ? 1 : 0), radius, window);

@@ -2,6 +2,7 @@
 #include "Rasteriser.h"
 
 #include "CpuClones.h"
+#include "ToInt.h"
 
 #include <algorithm>
 #include <array>
@@ -32,7 +33,7 @@ struct PixelBox
 /** The first integer not below `value`, cut to [0, size]. */
 int FirstPixel(double value, int size)
 {
-  const double cut = std::clamp(value, 0.0, static_cast<double>(size));
+  const double cut = ClampedNumber(value, 0, size);
   const int whole = static_cast<int>(cut);
   return whole + (whole < cut ? 1 : 0);
 }
@@ -40,7 +41,7 @@ int FirstPixel(double value, int size)
 /** The first integer above `value`, cut to [0, size]. */
 int EndPixel(double value, int size)
 {
-  return value < 0 ? 0 : static_cast<int>(std::min(value + 1, static_cast<double>(size)));
+  return static_cast<int>(ClampedNumber(value + 1, 0, size));
 }
 
 /**

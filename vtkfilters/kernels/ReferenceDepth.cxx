@@ -3,6 +3,7 @@
 
 #include "FillInLayers.h"
 #include "Rasteriser.h"
+#include "ToInt.h"
 #include "ViewSelection.h"
 
 #include <algorithm>
@@ -258,7 +259,7 @@ private:
     labels.First = this->Options.CoarseFirstPx * this->Footprint;
     labels.Step = this->Options.CoarseStepPx * this->Footprint;
     const double last = std::min<double>(thickest, this->Options.CoarseLastPx * this->Footprint);
-    labels.Count = std::clamp(static_cast<int>((last - labels.First) / labels.Step) + 1, 1, 255);
+    labels.Count = std::clamp(ToInt((last - labels.First) / labels.Step) + 1, 1, 255);
     this->Keep(i,
       MatchPass(images[i], interval.Front, interval.Thickness, this->NeighbourImages(i, images),
         labels, this->Options, this->Run));
@@ -316,7 +317,7 @@ private:
     OffsetLabels labels;
     labels.First = -this->Options.FineRangePx * this->Footprint;
     labels.Step = this->Options.FineStepPx * this->Footprint;
-    labels.Count = 2 * static_cast<int>(this->Options.FineRangePx / this->Options.FineStepPx) + 1;
+    labels.Count = 2 * ToInt(this->Options.FineRangePx / this->Options.FineStepPx) + 1;
     const Image<float> last(base.Width, base.Height, 1, static_cast<float>(1e30));
     this->Keep(i,
       MatchPass(

@@ -5,6 +5,7 @@
 #include "Quantile.h"
 #include "SearchBox.h"
 #include "SilhouetteField.h"
+#include "ToInt.h"
 #include "ViewSelection.h"
 
 #include <algorithm>
@@ -52,7 +53,7 @@ public:
     const Vector3d direction = camera.Unproject(pixel, 1) - origin;
     const double middle = camera.Depth(this->Centre);
     const double start = std::max(middle - this->Reach, this->Step);
-    const int count = static_cast<int>((middle + this->Reach - start) / this->Step) + 1;
+    const int count = ToInt((middle + this->Reach - start) / this->Step) + 1;
     Blame best{ -1, -None };
     int asked = 0; // the view that spoke against the last point may well speak against the next
     // A look every now and then first: the better the best, the more can be skipped.
@@ -62,7 +63,7 @@ public:
       {
         const Vector3d x = origin + (start + i * this->Step) * direction;
         const double hopeless = this->Probe(viewId, x, asked, best);
-        const int skipped = static_cast<int>(hopeless / (this->Step * direction.norm()));
+        const int skipped = ToInt(hopeless / (this->Step * direction.norm()));
         i += std::max(stride, std::min(skipped, count));
       }
     }

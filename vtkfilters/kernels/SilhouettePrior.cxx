@@ -3,6 +3,7 @@
 
 #include "Quantile.h"
 #include "Rasteriser.h"
+#include "ToInt.h"
 #include "ViewSelection.h"
 #include "Visibility.h"
 
@@ -29,7 +30,7 @@ std::vector<double> PriorsOf(const View& key, const FusedField& field, const Tri
   {
     area += std::isfinite(depth);
   }
-  const int step = std::max(1, static_cast<int>(std::sqrt(area / options.PixelsPerKey)));
+  const int step = std::max(1, ToInt(std::sqrt(area / options.PixelsPerKey)));
   std::vector<double> priors;
   for (int y = step / 2; y < front.Height; y += step)
   {

@@ -2,6 +2,7 @@
 #include "TetLabels.h"
 
 #include "DisjointSets.h"
+#include "ToInt.h"
 
 #include <Eigen/Dense>
 
@@ -198,7 +199,7 @@ private:
     {
       const auto [in, out] = this->Evidence;
       const double priority = in > 0 && out > 0 ? std::abs(in - out) - 1 : std::max(in, out);
-      return static_cast<int>(0.5 * (priority + 1) * (Levels - 1));
+      return ToInt(ClampedNumber(0.5 * (priority + 1), 0, 1) * (Levels - 1));
     }
   };
 

@@ -6,6 +6,7 @@
 #include "FillInLayers.h"
 #include "MeshNeighbours.h"
 #include "PhotoBlender.h"
+#include "ToInt.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +24,7 @@ Rgb Rounded(const double rgb[3])
   Rgb colour;
   for (int channel = 0; channel < 3; ++channel)
   {
-    colour[channel] = static_cast<std::uint8_t>(std::clamp(std::lround(rgb[channel]), 0L, 255L));
+    colour[channel] = static_cast<std::uint8_t>(RoundToInt(ClampedNumber(rgb[channel], 0, 255)));
   }
   return colour;
 }
@@ -151,10 +152,10 @@ private:
     }
     const auto [xMin, xMax] = std::minmax({ p[0].x(), p[1].x(), p[2].x() });
     const auto [yMin, yMax] = std::minmax({ p[0].y(), p[1].y(), p[2].y() });
-    for (int y = std::max(0, static_cast<int>(std::ceil(yMin)));
+    for (int y = std::max(0, CeilToInt(yMin));
          y <= std::min<double>(std::floor(yMax), chart.Height - 1); ++y)
     {
-      for (int x = std::max(0, static_cast<int>(std::ceil(xMin)));
+      for (int x = std::max(0, CeilToInt(xMin));
            x <= std::min<double>(std::floor(xMax), chart.Width - 1); ++x)
       {
         const Vector2d at(x, y);
@@ -181,8 +182,8 @@ private:
     for (int corner = 0; corner < 3; ++corner)
     {
       const Vector2d p = this->Layout.InChart(chart, this->Own.Mesh.Points[t[corner]]);
-      const int x = static_cast<int>(std::lround(p.x()));
-      const int y = static_cast<int>(std::lround(p.y()));
+      const int x = RoundToInt(p.x());
+      const int y = RoundToInt(p.y());
       if (!this->Done(x, y))
       {
         this->PaintTexel(chart, x, y, t, Vector3d::Unit(corner));

@@ -4,6 +4,7 @@
 #include "CpuClones.h"
 #include "FillInLayers.h"
 #include "PhotoBlender.h"
+#include "ToInt.h"
 
 #include <algorithm>
 #include <cmath>
@@ -231,7 +232,7 @@ void StoreColor(const float color[3], float covered, std::uint8_t* rgb)
 {
   for (int channel = 0; channel < 3; ++channel)
   {
-    const double value = std::clamp(color[channel] * covered, 0.f, 255.f);
+    const double value = ClampedNumber(color[channel] * covered, 0, 255);
     rgb[channel] = static_cast<std::uint8_t>(value + 0.5);
   }
 }

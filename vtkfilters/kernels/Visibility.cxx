@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Visibility.h"
 
+#include "ToInt.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -65,7 +67,7 @@ public:
     }
     // About one cell per two triangles: the front and the back of a surface share a cell.
     const double side = std::sqrt(0.5 * static_cast<double>(triangles.size()));
-    this->Size = std::clamp(static_cast<int>(side), 1, 4096);
+    this->Size = std::clamp(ToInt(side), 1, 4096);
     this->Fill(seen, triangles);
   }
 
@@ -84,8 +86,7 @@ private:
     {
       return 0;
     }
-    return std::clamp(
-      static_cast<int>((value - low) / (high - low) * this->Size), 0, this->Size - 1);
+    return std::clamp(ToInt((value - low) / (high - low) * this->Size), 0, this->Size - 1);
   }
 
   template <class Visit>

@@ -4,12 +4,14 @@
 #include "LatticeCells.h"
 #include "SearchBox.h"
 #include "SilhouetteField.h"
+#include "ToInt.h"
 #include "ViewSelection.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <sstream>
 
 namespace novelview
 {
@@ -20,6 +22,7 @@ using Eigen::Vector3i;
 
 constexpr int BlockCells = 4;           ///< lattice cells along a block's side
 constexpr int Corners = BlockCells + 1; ///< lattice points along a block's side
+constexpr int MostBlocks = 1 << 18;     ///< along a side of the lattice
 
 /** The lattice: cell (i,j,k) spans Origin + Spacing * [i, i+1) x ... */
 struct Lattice
@@ -410,13 +413,17 @@ VisualHullResult ComputeVisualHull(
   Lattice lattice;
   lattice.Spacing = result.Spacing;
   lattice.Origin = result.Box.min();
-  lattice.Blocks =
-    (result.Box.sizes() / (result.Spacing * BlockCells)).array().ceil().cast<int>().max(1);
-  if (lattice.Blocks.maxCoeff() > 1 << 18)
+  for (int axis = 0; axis < 3; ++axis)
   {
-    throw Error("visual hull", "the search box is too large for the sample spacing",
-      std::to_string(lattice.Blocks.maxCoeff() * BlockCells) + " cells along a side",
-      "at most a million");
+    const double blocks = result.Box.sizes()[axis] / (result.Spacing * BlockCells);
+    if (!(blocks <= MostBlocks))
+    {
+      std::ostringstream cells;
+      cells << blocks * BlockCells << " cells along a side";
+      throw Error("visual hull", "the search box is too large for the sample spacing", cells.str(),
+        "at most a million");
+    }
+    lattice.Blocks[axis] = std::max(CeilToInt(blocks), 1);
   }
   execution.Report(0.02);
   const std::vector<Vector3i> blocks = SurfaceBlocks(field, lattice, execution);
