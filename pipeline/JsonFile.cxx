@@ -160,7 +160,7 @@ public:
     return true;
   }
 
-  bool parse_error(std::size_t position, const std::string& token,
+  bool parse_error(std::size_t position, const std::string& /*token*/,
     const nlohmann::detail::exception& error) override
   {
     constexpr int OutOfRange = 406;
