@@ -122,7 +122,8 @@ public:
     if (this->Descriptor < 0)
     {
       throw Error(file.string(),
-        errno == ENOENT || errno == ENOTDIR ? "no such file" : "cannot be read: " + Reason(errno));
+        errno == ENOENT || errno == ENOTDIR ? "cannot be read: no such file"
+                                            : "cannot be read: " + Reason(errno));
     }
     struct stat status = {};
     if (::fstat(this->Descriptor, &status) != 0 || !S_ISREG(status.st_mode))
