@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace novelview
@@ -38,7 +39,7 @@ inline std::string LowerCase(std::string text)
 
 /** The whole text as a number; false when it is none. */
 template <class T>
-bool ParseNumber(const std::string& text, T& number)
+bool ParseNumber(std::string_view text, T& number)
 {
   const char* begin = text.data() + (text.size() > 1 && text[0] == '+' ? 1 : 0);
   const char* end = text.data() + text.size();
