@@ -150,5 +150,5 @@ TEST_F(Orbit, BadUsageLeavesNothing)
   expect("bad.gif", {}, "--out: is no video that can be written (got bad.gif, expected .avi");
   expect("bad.mp4", { "--exclude", "bunny0000.png,bunny0001.png,bunny0002.png,bunny0003.png" },
     "--path says where");
-  expect("bad.mp4", { "--path", Out("nowhere.json").string() }, "nowhere.json: no such file");
+  expect("bad.mp4", { "--path", Out("nowhere.json").string() }, "no such file");
 }

@@ -334,6 +334,26 @@ TEST(VisualHull, ReachingTheGivenBoxIsAnError)
     "visual hull: it reaches the search box at max y = 0.3");
 }
 
+TEST(VisualHull, EndsThoughTheOriginIsTooFarAwayToTellPointsApart)
+{
+  // At 1e12 neighbouring numbers are a thousand times the samples' accuracy apart.
+  std::vector<Photo> photos = SpherePhotos();
+  for (Photo& photo : photos)
+  {
+    photo.Cam.T -= photo.Cam.R * Vector3d(0, 1e12, 0);
+  }
+  VisualHullOptions options;
+  options.Box.emplace(Vector3d(-1, 1e12 - 1, -1), Vector3d(1, 1e12 + 1, 1));
+  try
+  {
+    ComputeVisualHull(ViewsOf(photos), options);
+  }
+  catch (const Error&)
+  {
+    // As good an end: the cameras are off by as much.
+  }
+}
+
 TEST(VisualHull, SameBitsWithOneAndMoreThreads)
 {
   const auto views = ViewsOf(SpherePhotos());

@@ -114,7 +114,11 @@ struct Probe
  */
 Vector3d FindCrossing(const SilhouetteField& field, Probe a, Probe b, double tolerance)
 {
-  for (int step = 1; a.Value > tolerance && (b.Point - a.Point).norm() > tolerance; ++step)
+  // Halving alone reaches the accuracy in 45 steps, unless the world's origin is so far away that
+  // points cannot be told apart so finely.
+  constexpr int MostSteps = 100;
+  for (int step = 1;
+       step < MostSteps && a.Value > tolerance && (b.Point - a.Point).norm() > tolerance; ++step)
   {
     // Aims at the middle of what is good enough, so that it stops on whichever side it comes from.
     const double t = (a.Value - 0.5 * tolerance) / (a.Value - b.Value);
