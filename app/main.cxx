@@ -31,6 +31,10 @@ volatile std::sig_atomic_t StopSignal = SIGINT;
  * kills. */
 extern "C" void OnStopSignal(int number)
 {
+  if (number == SIGTERM && StoodStillTooLong())
+  {
+    ::_exit(ExitCode::Stopped + number); // from mpirun, and another process has said why
+  }
   StopSignal = number;
   Console::Interrupt();
   for (const int each : { SIGINT, SIGTERM, SIGHUP })

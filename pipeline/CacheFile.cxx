@@ -110,36 +110,15 @@ bool CacheFile::Exists(const fs::path& path)
 void CacheFile::ReadDirectory(const std::string& key)
 {
   const std::string where = this->Path.string();
-  struct stat status;
+  struct stat status = {};
   if (::fstat(this->Descriptor, &status) != 0 || !S_ISREG(status.st_mode))
   {
     throw Error(where, "is no regular file");
   }
   this->Size = static_cast<std::uint64_t>(status.st_size);
-  if (this->Size < sizeof(Start) + ChecksumBytes)
-  {
-    throw Error(where, "is too short", std::to_string(this->Size) + " bytes",
-      "at least " + std::to_string(sizeof(Start) + ChecksumBytes));
-  }
-  const auto start = ByteReader(this->ReadBytes(0, sizeof(Start)), where).Take<Start>();
-  if (!std::equal(MagicBytes.begin(), MagicBytes.end(), start.Magic.begin()) ||
-    start.Version != CurrentVersion)
-  {
-    throw Error(where, "is no cache file of this version");
-  }
-  if (start.DirectoryLength < sizeof(Start) + ChecksumBytes || start.DirectoryLength > this->Size)
-  {
-    throw Error(where, "its directory is damaged");
-  }
-  const std::string directory = this->ReadBytes(0, start.DirectoryLength);
-  const std::size_t covered = directory.size() - ChecksumBytes;
-  if (ByteReader(std::string_view(directory).substr(covered), where).Take<std::uint64_t>() !=
-    Checksum(std::string_view(directory).substr(0, covered)))
-  {
-    throw Error(where, "the checksum of its directory is wrong");
-  }
-  ByteReader reader(
-    std::string_view(directory).substr(sizeof(Start), covered - sizeof(Start)), where);
+  const std::string directory = this->CheckedDirectory();
+  ByteReader reader(directory, where);
+  const auto start = reader.Take<Start>();
   if (reader.TakeText() != key)
   {
     throw Error(where, "is the cache file of something else");
@@ -165,6 +144,36 @@ void CacheFile::ReadDirectory(const std::string& key)
     throw Error(
       where, "is too long", std::to_string(this->Size) + " bytes", std::to_string(offset));
   }
+}
+
+/** The directory's bytes but for its checksum, which is right. */
+std::string CacheFile::CheckedDirectory() const
+{
+  const std::string where = this->Path.string();
+  constexpr std::size_t least = sizeof(Start) + ChecksumBytes;
+  if (this->Size < least)
+  {
+    throw Error(where, "is too short", std::to_string(this->Size) + " bytes",
+      "at least " + std::to_string(least));
+  }
+  const auto start = ByteReader(this->ReadBytes(0, sizeof(Start)), where).Take<Start>();
+  if (!std::equal(MagicBytes.begin(), MagicBytes.end(), start.Magic.begin()) ||
+    start.Version != CurrentVersion)
+  {
+    throw Error(where, "is no cache file of this version");
+  }
+  if (start.DirectoryLength < least || start.DirectoryLength > this->Size)
+  {
+    throw Error(where, "the length of its directory is wrong");
+  }
+  std::string directory = this->ReadBytes(0, start.DirectoryLength - ChecksumBytes);
+  const std::string checksum =
+    this->ReadBytes(start.DirectoryLength - ChecksumBytes, ChecksumBytes);
+  if (ByteReader(checksum, where).Take<std::uint64_t>() != Checksum(directory))
+  {
+    throw Error(where, "the checksum of its directory is wrong");
+  }
+  return directory;
 }
 
 std::string CacheFile::Read(const std::string& name) const

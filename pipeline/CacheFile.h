@@ -57,6 +57,7 @@ private:
   };
 
   void ReadDirectory(const std::string& key);
+  std::string CheckedDirectory() const;
   std::string ReadBytes(std::uint64_t offset, std::uint64_t count) const;
 
   const std::filesystem::path Path;

@@ -2,11 +2,12 @@
 #include "MpiHeartbeat.h"
 
 #include "NumberText.h"
+#include "OutOfMemory.h"
+#include "ProcessGroup.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
-#include <cstdio>
-#include <unistd.h>
 
 namespace novelview
 {
@@ -16,19 +17,22 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int BeatTag = 7401;
 
+// Read by signal handlers.
+std::atomic<double> LastPass = -1; ///< seconds of Clock; below 0 = there is no heartbeat
+std::atomic<double> LongestStandstill = 0;
+std::atomic<double> Timeout = 0;
+
+double Now()
+{
+  return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
+}
+
 /** What a beat says. */
 enum Beat : char
 {
   Alive,
   Last ///< no more beats will come
 };
-
-/** The console may be in use by another thread, or be a silent one. */
-void SayError(const std::string& text)
-{
-  std::fprintf(stderr, "novelview: error: %s\n", text.c_str());
-  std::fflush(stderr);
-}
 
 double PeriodOf(double timeoutSeconds)
 {
@@ -83,15 +87,19 @@ MpiHeartbeat::~MpiHeartbeat()
 
 void MpiHeartbeat::Run()
 {
-  auto before = Clock::now();
+  Timeout = this->TimeoutSeconds;
+  LastPass = Now();
   while (!this->Pause())
   {
-    const auto now = Clock::now();
+    const double now = Now();
+    const double passed = now - LastPass;
+    LongestStandstill = std::max<double>(LongestStandstill, passed);
+    LastPass = now;
     this->Listen();
-    this->Judge(std::chrono::duration<double>(now - before).count());
+    this->Judge(passed);
     this->Tell(Alive);
-    before = now;
   }
+  LastPass = -1;
   // So that no beat is left over when MPI ends.
   for (Peer& peer : this->Peers)
   {
@@ -159,8 +167,9 @@ void MpiHeartbeat::Judge(double passedSeconds)
     peer.SilentSeconds += std::min(passedSeconds, 2 * this->PeriodSeconds);
     if (!peer.Left && peer.SilentSeconds > patience)
     {
-      SayError("process " + std::to_string(peer.Rank) + " of mpirun: silent for " +
-        Formatted("%.0f s, which ends all (--rank-timeout)", peer.SilentSeconds));
+      const std::string text = "process " + std::to_string(peer.Rank) + " of mpirun: silent for " +
+        Formatted("%.0f s, which ends all (--rank-timeout)", peer.SilentSeconds);
+      SayLastError(text.c_str());
       MPI_Abort(MPI_COMM_WORLD, 1);
     }
   }
@@ -170,6 +179,12 @@ bool MpiHeartbeat::AllLeft() const
 {
   return std::all_of(
     this->Peers.begin(), this->Peers.end(), [](const Peer& peer) { return peer.Left; });
+}
+
+bool StoodStillTooLong()
+{
+  const double last = LastPass;
+  return last >= 0 && std::max<double>(LongestStandstill, Now() - last) > Timeout;
 }
 
 MpiDeadline::MpiDeadline(const std::string& what, double timeoutSeconds)
@@ -191,9 +206,9 @@ MpiDeadline::MpiDeadline(const std::string& what, double timeoutSeconds)
           return;
         }
       }
-      SayError("mpirun: not all processes " + what +
-        Formatted(" within %.0f s, which ends all (--rank-timeout)", timeoutSeconds));
-      ::_exit(1); // mpirun ends the others
+      const std::string text = "mpirun: not all processes " + what +
+        Formatted(" within %.0f s, which ends all (--rank-timeout)", timeoutSeconds);
+      EndWithError(text.c_str()); // and mpirun ends the others
     });
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "OutOfMemory.h"
 
+#include "StderrSilence.h"
+
 #include <atomic>
 #include <cstdlib>
 #include <cstring>
@@ -39,6 +41,15 @@ OutOfMemoryIsCaught::~OutOfMemoryIsCaught()
   --Catching;
 }
 
+void SayLastError(const char* text)
+{
+  const auto part = [](const char* bytes) {
+    return iovec{ const_cast<char*>(bytes), std::strlen(bytes) };
+  };
+  const iovec line[] = { part("novelview: error: "), part(text), part("\n") };
+  [[maybe_unused]] const ssize_t written = ::writev(LoudStderr(), line, 3);
+}
+
 void EndWithError(const char* text)
 {
   // Several threads may come here; the first one speaks.
@@ -47,11 +58,7 @@ void EndWithError(const char* text)
   {
     ::pause();
   }
-  const auto part = [](const char* bytes) {
-    return iovec{ const_cast<char*>(bytes), std::strlen(bytes) };
-  };
-  const iovec line[] = { part("novelview: error: "), part(text), part("\n") };
-  [[maybe_unused]] const ssize_t written = ::writev(STDERR_FILENO, line, 3);
+  SayLastError(text);
   // Other threads still run; nothing of theirs shall be waited for or torn down.
   ::_exit(EXIT_FAILURE);
 }

@@ -20,7 +20,10 @@ public:
   void operator=(const OutOfMemoryIsCaught&) = delete;
 };
 
-/** Says one line of error and ends the process with exit code 1; needs no memory. */
+/** Says one line of error in any thread, past the console; needs no memory. */
+void SayLastError(const char* text);
+
+/** The same, and ends the process with exit code 1. */
 [[noreturn]] void EndWithError(const char* text);
 }
 

@@ -66,5 +66,10 @@ std::unique_ptr<ProcessGroup> StartProcesses(int*, char***, double)
   }
   return std::make_unique<ProcessGroup>();
 }
+
+bool StoodStillTooLong()
+{
+  return false;
+}
 #endif
 }

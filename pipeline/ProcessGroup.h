@@ -86,6 +86,12 @@ public:
  * 0 = never.
  */
 std::unique_ptr<ProcessGroup> StartProcesses(int* argc, char*** argv, double rankTimeoutSeconds);
+
+/**
+ * Whether this process has been stopped for so long that the others have ended the run, and said
+ * why. May be called by a signal handler.
+ */
+bool StoodStillTooLong();
 }
 
 #endif

@@ -262,8 +262,8 @@ ViewIndependent ReadEntry(const CacheFile& file, vtkMultiBlockDataSet* given)
     AppendView(results.Views, name, Completed(image, parts[viewId]), AttachedCamera(image, name));
   }
   UnpackNotes(file.Read(NotesSection), file.Where(NotesSection), results);
-  // Not what the stages would stumble over.
-  ReadViews(results.Views, { .Color = true, .Mask = true, .ContourDistance = true });
+  // Whatever the stages would stumble over.
+  ReadViews(results.Views, {});
   ToTriangleMesh(results.Crust, file.Where(CrustSection));
   return results;
 }

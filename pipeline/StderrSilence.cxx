@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "StderrSilence.h"
 
+#include <atomic>
 #include <cstdio>
 #include <fcntl.h>
 #include <mutex>
@@ -12,7 +13,8 @@ namespace
 {
 std::mutex Guard;
 int Users = 0;
-int Kept = -1; ///< the real standard error while there are users; -1 = could not be kept
+std::atomic<int> Kept =
+  -1; ///< the real standard error while there are users; -1 = could not be kept
 }
 
 StderrSilence::StderrSilence()
@@ -44,7 +46,12 @@ StderrSilence::~StderrSilence()
   }
   std::fflush(stderr);
   ::dup2(Kept, STDERR_FILENO);
-  ::close(Kept);
-  Kept = -1;
+  ::close(Kept.exchange(-1));
+}
+
+int LoudStderr()
+{
+  const int kept = Kept;
+  return kept >= 0 ? kept : STDERR_FILENO;
 }
 }

@@ -17,6 +17,9 @@ public:
   StderrSilence(const StderrSilence&) = delete;
   StderrSilence& operator=(const StderrSilence&) = delete;
 };
+
+/** Where errors can be written all the same, for the last words of a process: a file descriptor. */
+int LoudStderr();
 }
 
 #endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "VideoFile.h"
 
+#include "AddressSpace.h"
 #include "Error.h"
 #include "StderrSilence.h"
 #include "VideoContainer.h"
@@ -97,6 +98,7 @@ using EncoderFactory = decltype(&NovelViewNewVideoEncoder);
 EncoderFactory LoadEncoderFactory()
 {
   const char* const name = NOVELVIEW_VIDEO_LIBRARY;
+  RequireAddressSpace(name, std::size_t(128) << 20); // for ffmpeg and all that it takes with it
   void* const library = ::dlopen(name, RTLD_NOW | RTLD_LOCAL);
   void* const factory = library ? ::dlsym(library, "NovelViewNewVideoEncoder") : nullptr;
   if (!factory)

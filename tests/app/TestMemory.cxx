@@ -20,33 +20,59 @@ ProcessEnd RunWithin(int mebibytes, const std::vector<std::string>& words)
   }
   return RunShell(command);
 }
+
+class Memory : public testing::Test
+{
+protected:
+  static void SetUpTestSuite()
+  {
+    Bunny = std::make_unique<GeneratedData>(
+      std::vector<std::string>{ "--views", "6", "--step", "60", "--size", "96x72" });
+    // What the libraries take before main() begins. With less the loader says so, and ends with 127.
+    while (LeastMiB < 2000 && RunWithin(LeastMiB, { "--version" }).Code != 0)
+    {
+      LeastMiB += 20;
+    }
+  }
+  static void TearDownTestSuite() { Bunny.reset(); }
+
+  /** Expects success or one line of error with all limits up to so many MiB above the least. */
+  static void ExpectOneLine(int range, int step, const std::vector<std::string>& words)
+  {
+    int failed = 0;
+    for (int mebibytes = LeastMiB; mebibytes <= LeastMiB + range; mebibytes += step)
+    {
+      const ProcessEnd end = RunWithin(mebibytes, words);
+      if (end.Code == 0)
+      {
+        EXPECT_EQ(end.Err, "") << mebibytes;
+        continue;
+      }
+      ++failed;
+      EXPECT_EQ(end.Code, 1) << mebibytes << ": " << end.Err;
+      EXPECT_THAT(end.Err, testing::StartsWith("novelview: error: ")) << mebibytes;
+      EXPECT_THAT(end.Err, HasSubstr("out of memory")) << mebibytes;
+      EXPECT_EQ(std::count(end.Err.begin(), end.Err.end(), '\n'), 1) << mebibytes << end.Err;
+    }
+    EXPECT_GT(failed, 1) << "or the limits limit nothing";
+  }
+
+  static inline std::unique_ptr<GeneratedData> Bunny;
+  static inline int LeastMiB = 300;
+};
 }
 
-TEST(Memory, OomHangIsOneLineOfError)
+TEST_F(Memory, OomHangIsOneLineOfError)
 {
-  const GeneratedData bunny({ "--views", "6", "--step", "60", "--size", "96x72" });
-  // What the libraries take before main() begins. With less the loader says so, and ends with 127.
-  int least = 300;
-  while (least < 2000 && RunWithin(least, { "--version" }).Code != 0)
-  {
-    least += 20;
-  }
-  int failed = 0;
-  for (int mebibytes = least; mebibytes <= least + 700; mebibytes += 50)
-  {
-    const ProcessEnd end = RunWithin(mebibytes,
-      { "run", bunny.Data().string(), "--view", "between:0,1", "--quiet", "--stage", "outline",
-        "--outline-iterations", "1", "--out", (bunny.Folder / "out").string() });
-    if (end.Code == 0)
-    {
-      EXPECT_EQ(end.Err, "") << mebibytes;
-      continue;
-    }
-    ++failed;
-    EXPECT_EQ(end.Code, 1) << mebibytes << ": " << end.Err;
-    EXPECT_THAT(end.Err, testing::StartsWith("novelview: error: ")) << mebibytes;
-    EXPECT_THAT(end.Err, HasSubstr("out of memory")) << mebibytes;
-    EXPECT_EQ(std::count(end.Err.begin(), end.Err.end(), '\n'), 1) << mebibytes << end.Err;
-  }
-  EXPECT_GT(failed, 3) << "or the limits limit nothing";
+  ExpectOneLine(700, 50,
+    { "run", Bunny->Data().string(), "--view", "between:0,1", "--quiet", "--stage", "outline",
+      "--outline-iterations", "1", "--out", (Bunny->Folder / "out").string() });
+}
+
+TEST_F(Memory, OfVideosIsOneLineOfErrorToo)
+{
+  // Libraries are silenced while they encode; the error must be heard all the same.
+  ExpectOneLine(180, 15,
+    { "orbit", Bunny->Data().string(), "--frames", "3", "--quiet", "--stage", "hull", "--out",
+      (Bunny->Folder / "film.mp4").string() });
 }
