@@ -6,32 +6,10 @@ set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=${NOVELVIEW_BUILD:-$root/build}
 
-if ! command -v dpkg-query >/dev/null; then
-  echo "This is no Debian system. Install what app/packages.txt names, by this system's names, and" >&2
-  echo "build with: cmake -S '$root' -B '$build' -G Ninja && cmake --build '$build'" >&2
+"$root/app/install-packages.sh" "$root/app/packages.txt" || {
+  echo "Then build with: cmake -S '$root' -B '$build' -G Ninja && cmake --build '$build'" >&2
   exit 1
-fi
-mapfile -t packages < <(sed -e 's/#.*//' -e '/^[[:space:]]*$/d' "$root/app/packages.txt")
-missing=()
-for package in "${packages[@]}"; do
-  status=$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null || true)
-  [ "$status" = installed ] || missing+=("$package")
-done
-if [ ${#missing[@]} -gt 0 ]; then
-  install=(env DEBIAN_FRONTEND=noninteractive apt-get)
-  if [ "$(id -u)" -ne 0 ]; then
-    if command -v sudo >/dev/null && sudo -v; then
-      install=(sudo "${install[@]}")
-    else
-      echo "Packages are missing and this user may not install them. As root, run:" >&2
-      echo "  apt-get install --no-install-recommends ${missing[*]}" >&2
-      exit 1
-    fi
-  fi
-  echo "Installing ${#missing[@]} Debian packages: ${missing[*]}"
-  "${install[@]}" update -qq
-  "${install[@]}" install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
-fi
+}
 
 # What CMake finds is told only when it fails.
 mkdir -p "$build"
