@@ -284,10 +284,10 @@ void GenerateDataset(
   {
     AnnounceOutput(out / file);
   }
-  RequireWritable(out);
   report("object", 0);
   vtkSmartPointer<vtkPolyData> mesh = LoadObject(options.Mesh);
   const Rig rig = MakeRig(mesh, options);
+  RequireWritable(out);
   Photographer photographer(
     mesh, { options.Texture, options.Lit, options.Seed }, options.Supersampling);
   WritePly(out / "truth.ply", mesh);
