@@ -2,10 +2,11 @@
 #ifndef novelview_VtpDocument_h
 #define novelview_VtpDocument_h
 
+#include <pugixml.hpp>
+
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <vtk_pugixml.h>
 
 namespace novelview
 {
