@@ -38,6 +38,11 @@ void AnnounceText(const fs::path& path, std::string_view bytes)
 void WriteTextAtomically(const fs::path& path, std::string_view bytes)
 {
   ThrowIfStopRequested();
+  WriteDespiteStop(path, bytes);
+}
+
+void WriteDespiteStop(const fs::path& path, std::string_view bytes)
+{
   if (IsInput(path) && Holds(path, bytes))
   {
     return;

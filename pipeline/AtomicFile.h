@@ -24,6 +24,9 @@ namespace novelview
  */
 void WriteTextAtomically(const std::filesystem::path& path, std::string_view bytes);
 
+/** The same for what a stop shall not lose: does not ask for one. */
+void WriteDespiteStop(const std::filesystem::path& path, std::string_view bytes);
+
 /**
  * For writers that want a file: calls `write` with the path of the temporary file, which has the
  * target's extension. `write` returns false or throws when it could not write.

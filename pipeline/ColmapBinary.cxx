@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ByteStream.h"
 #include "CameraLimits.h"
 #include "ColmapModel.h"
 #include "Error.h"
@@ -14,11 +15,11 @@ static_assert(std::endian::native == std::endian::little, "COLMAP's files are li
 namespace fs = std::filesystem;
 namespace
 {
-/** Numbers and texts one after the other; never reads behind the end. */
-class ByteReader
+/** Numbers and texts of a file one after the other, with the place in errors; never reads behind the end. */
+class ModelReader
 {
 public:
-  explicit ByteReader(const fs::path& path)
+  explicit ModelReader(const fs::path& path)
     : Path(path.string())
     , Bytes(ReadInputFile(path))
   {
@@ -78,15 +79,7 @@ private:
   std::size_t At = 0;
 };
 
-template <class T>
-void Put(std::string& bytes, T value)
-{
-  char raw[sizeof(T)];
-  std::memcpy(raw, &value, sizeof(T));
-  bytes.append(raw, sizeof(T));
-}
-
-int TakeExtent(ByteReader& reader)
+int TakeExtent(ModelReader& reader)
 {
   const std::string where = reader.Where();
   const auto extent = reader.Take<std::uint64_t>();
@@ -95,7 +88,7 @@ int TakeExtent(ByteReader& reader)
 
 std::vector<ColmapCamera> ReadCameraRecords(const fs::path& path)
 {
-  ByteReader reader(path);
+  ModelReader reader(path);
   std::vector<ColmapCamera> cameras;
   const auto count = reader.Take<std::uint64_t>();
   for (std::uint64_t i = 0; i < count; ++i)
@@ -123,7 +116,7 @@ std::vector<ColmapCamera> ReadCameraRecords(const fs::path& path)
 
 std::vector<ColmapImage> ReadImageRecords(const fs::path& path)
 {
-  ByteReader reader(path);
+  ModelReader reader(path);
   std::vector<ColmapImage> images;
   const auto count = reader.Take<std::uint64_t>();
   for (std::uint64_t i = 0; i < count; ++i)
@@ -158,39 +151,39 @@ ColmapModel ReadColmapBinary(const fs::path& folder)
 
 std::vector<FileContent> ComposeColmapBinary(const ColmapModel& model)
 {
-  std::string cameras;
-  Put<std::uint64_t>(cameras, model.Cameras.size());
+  ByteWriter cameras;
+  cameras.Add<std::uint64_t>(model.Cameras.size());
   for (const ColmapCamera& camera : model.Cameras)
   {
-    Put<std::uint32_t>(cameras, camera.Id);
-    Put<std::int32_t>(cameras, ColmapModelNumber(camera.Model));
-    Put<std::uint64_t>(cameras, static_cast<std::uint64_t>(camera.Width));
-    Put<std::uint64_t>(cameras, static_cast<std::uint64_t>(camera.Height));
+    cameras.Add<std::uint32_t>(camera.Id);
+    cameras.Add<std::int32_t>(ColmapModelNumber(camera.Model));
+    cameras.Add<std::uint64_t>(static_cast<std::uint64_t>(camera.Width));
+    cameras.Add<std::uint64_t>(static_cast<std::uint64_t>(camera.Height));
     for (const double parameter : camera.Parameters)
     {
-      Put<double>(cameras, parameter);
+      cameras.Add<double>(parameter);
     }
   }
-  std::string images;
-  Put<std::uint64_t>(images, model.Images.size());
+  ByteWriter images;
+  images.Add<std::uint64_t>(model.Images.size());
   for (const ColmapImage& image : model.Images)
   {
-    Put<std::uint32_t>(images, image.Id);
+    images.Add<std::uint32_t>(image.Id);
     for (const double number : image.Rotation)
     {
-      Put<double>(images, number);
+      images.Add<double>(number);
     }
     for (const double number : image.Translation)
     {
-      Put<double>(images, number);
+      images.Add<double>(number);
     }
-    Put<std::uint32_t>(images, image.CameraId);
-    images += image.Name;
-    images += '\0';
-    Put<std::uint64_t>(images, 0);
+    images.Add<std::uint32_t>(image.CameraId);
+    images.AddBytes(image.Name.c_str(), image.Name.size() + 1); // with the zero at its end
+    images.Add<std::uint64_t>(0);
   }
-  std::string points;
-  Put<std::uint64_t>(points, 0);
-  return { { "points3D.bin", points }, { "cameras.bin", cameras }, { "images.bin", images } };
+  ByteWriter points;
+  points.Add<std::uint64_t>(0);
+  return { { "points3D.bin", points.Written }, { "cameras.bin", cameras.Written },
+    { "images.bin", images.Written } };
 }
 }

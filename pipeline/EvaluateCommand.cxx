@@ -128,16 +128,11 @@ public:
       return files;
     }
     files.emplace_back("overview.png");
-    std::vector<std::string> stages{ "oracle" };
-    for (int stage = 0; stage <= static_cast<int>(this->Options.UpTo); ++stage)
-    {
-      stages.push_back(StageName(static_cast<Stage>(stage)));
-    }
     for (const PlannedSet& set : this->Plan.Sets)
     {
       for (const PlannedView& view : set.Views)
       {
-        for (const std::string& stage : stages)
+        for (const std::string& stage : PictureStages(this->Options.UpTo))
         {
           files.push_back(PictureOf(view.Name, stage));
         }

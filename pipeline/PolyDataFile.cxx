@@ -2,6 +2,7 @@
 #include "PolyDataFile.h"
 
 #include "AtomicFile.h"
+#include "ByteStream.h"
 #include "Error.h"
 #include "ViewAccess.h"
 
@@ -31,19 +32,13 @@ namespace
 {
 static_assert(std::endian::native == std::endian::little, "the formats' numbers are");
 
-template <class T>
-void Append(std::string& bytes, T value)
-{
-  bytes.append(reinterpret_cast<const char*>(&value), sizeof(value));
-}
-
-void AppendTuple(std::string& bytes, vtkDataArray* array, vtkIdType tuple)
+void AddTuple(ByteWriter& file, vtkDataArray* array, vtkIdType tuple)
 {
   double values[3];
   array->GetTuple(tuple, values);
   for (const double value : values)
   {
-    Append(bytes, static_cast<float>(value));
+    file.Add(static_cast<float>(value));
   }
 }
 
@@ -98,37 +93,37 @@ void WritePly(const fs::path& file, vtkPolyData* mesh)
   vtkDataArray* const normals = mesh->GetPointData()->GetNormals();
   auto* const colours =
     vtkUnsignedCharArray::SafeDownCast(mesh->GetPointData()->GetArray(arrays::Color));
-  std::string bytes = PlyHead(mesh, normals, colours);
+  ByteWriter bytes{ PlyHead(mesh, normals, colours) };
   for (vtkIdType ptId = 0; ptId < mesh->GetNumberOfPoints(); ++ptId)
   {
-    AppendTuple(bytes, points, ptId);
+    AddTuple(bytes, points, ptId);
     if (normals)
     {
-      AppendTuple(bytes, normals, ptId);
+      AddTuple(bytes, normals, ptId);
     }
     for (int c = 0; colours && c < 3; ++c)
     {
-      Append(bytes, colours->GetTypedComponent(ptId, c));
+      bytes.Add(colours->GetTypedComponent(ptId, c));
     }
   }
   ForEachPolygon(mesh,
     [&bytes](vtkIdType count, const vtkIdType* ptIds)
     {
-      Append(bytes, static_cast<std::uint8_t>(count));
+      bytes.Add(static_cast<std::uint8_t>(count));
       for (vtkIdType i = 0; i < count; ++i)
       {
-        Append(bytes, static_cast<std::int32_t>(ptIds[i]));
+        bytes.Add(static_cast<std::int32_t>(ptIds[i]));
       }
     });
-  WriteTextAtomically(file, bytes);
+  WriteTextAtomically(file, bytes.Written);
 }
 
 void WriteStl(const fs::path& file, vtkPolyData* mesh)
 {
   constexpr std::size_t headSize = 80;
-  std::string bytes = "Visualization Toolkit generated SLA File";
-  bytes.resize(headSize);
-  Append(bytes, static_cast<std::uint32_t>(mesh->GetPolys()->GetNumberOfCells()));
+  ByteWriter bytes{ "Visualization Toolkit generated SLA File" };
+  bytes.Written.resize(headSize);
+  bytes.Add(static_cast<std::uint32_t>(mesh->GetPolys()->GetNumberOfCells()));
   ForEachPolygon(mesh,
     [&](vtkIdType count, const vtkIdType* ptIds)
     {
@@ -146,12 +141,12 @@ void WriteStl(const fs::path& file, vtkPolyData* mesh)
       {
         for (int c = 0; c < 3; ++c)
         {
-          Append(bytes, static_cast<float>(vector[c]));
+          bytes.Add(static_cast<float>(vector[c]));
         }
       }
-      Append(bytes, std::uint16_t(0));
+      bytes.Add(std::uint16_t(0));
     });
-  WriteTextAtomically(file, bytes);
+  WriteTextAtomically(file, bytes.Written);
 }
 
 std::string ObjText(vtkPolyData* mesh, const std::string& head)

@@ -120,20 +120,26 @@ std::string StageName(Stage stage)
   return "full";
 }
 
+std::vector<std::string> PictureStages(Stage upTo)
+{
+  std::vector<std::string> stages;
+  for (int stage = 0; stage <= static_cast<int>(upTo); ++stage)
+  {
+    stages.push_back(StageName(static_cast<Stage>(stage)));
+  }
+  stages.emplace_back("oracle");
+  return stages;
+}
+
 std::vector<fs::path> FilesOfRun(Stage upTo, int outlineIterations, int nonOutlineIterations)
 {
   std::vector<fs::path> files{ "novel.png", "novel_mask.png", "novel_depth.tiff",
     "novel_unseen.png", "truth.png", "rms_outline.csv", "rms_nonoutline.csv", "rms.png", "rig.png",
     "summary.json", "report.html", "meshes/iterations.pvd", "meshes/visual_hull.vtp",
     "meshes/power_crust.vtp", "meshes/medial_balls.vtp" };
-  std::vector<std::string> stages{ "oracle" };
-  for (int stage = 0; stage <= static_cast<int>(upTo); ++stage)
+  for (const std::string& stage : PictureStages(upTo))
   {
-    stages.push_back(StageName(static_cast<Stage>(stage)));
-    files.push_back("meshes/" + stages.back() + ".vtp");
-  }
-  for (const std::string& stage : stages)
-  {
+    files.push_back("meshes/" + stage + ".vtp");
     for (const char* end : { ".png", "_mask.png", "_error.png" })
     {
       files.push_back("stages/" + stage + end);

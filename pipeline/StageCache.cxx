@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "StageCache.h"
 
+#include "AtomicFile.h"
 #include "ByteStream.h"
 #include "CacheFile.h"
 #include "DataBytes.h"
 #include "Error.h"
-#include "InputFile.h"
 #include "Parallel.h"
 #include "PowerCrust.h"
 #include "Synthesis.h"
-#include "TemporaryFile.h"
 #include "ViewAccess.h"
 #include "vtkReferenceDepthEstimator.h"
 
@@ -308,10 +307,6 @@ std::optional<ViewIndependent> StageCache::Load()
 
 void StageCache::Store(const ViewIndependent& results) const
 {
-  // By hand, since an interrupt shall not lose what is made.
-  RequireReplaceable(this->Entry());
-  TemporaryFile file(this->Entry());
-  file.Write(PackedEntry(this->Key, results, this->Views));
-  file.Commit();
+  WriteDespiteStop(this->Entry(), PackedEntry(this->Key, results, this->Views));
 }
 }
