@@ -491,12 +491,18 @@ ConvertOptions MakeConvertOptions(
 
 namespace
 {
+/** The job file that is written into the job's out folder. */
+nlohmann::ordered_json JsonOf(const Job& job)
+{
+  Job copy = job;
+  copy.Out = (fs::absolute(job.Out) / "job.json").parent_path();
+  return ToJson(OptionsOf(copy), copy.Out);
+}
+
 /** job.json must name every file exactly, which is found out before the work. */
 void CheckNames(const Job& job)
 {
-  Job copy = job;
-  copy.Out = fs::absolute(job.Out);
-  const nlohmann::ordered_json object = ToJson(OptionsOf(copy), copy.Out);
+  const nlohmann::ordered_json object = JsonOf(job);
   for (const auto& [key, value] : object.items())
   {
     const auto check = [&key = key](const nlohmann::ordered_json& each)
@@ -594,8 +600,6 @@ EvaluateOptions MakeEvaluateOptions(const fs::path& dataset, const GivenOptions&
 
 std::string JobText(const Job& job)
 {
-  Job copy = job;
-  copy.Out = (fs::absolute(job.Out) / "job.json").parent_path();
-  return DumpJson(ToJson(OptionsOf(copy), copy.Out)) + "\n";
+  return DumpJson(JsonOf(job)) + "\n";
 }
 }
