@@ -33,8 +33,7 @@ struct ShapeOf
   Shape operator()(const std::vector<std::filesystem::path>*) const { return { "PATHS", 1, Many }; }
   Shape operator()(const std::vector<double>*) const { return { "NUMBERS", 1, Many }; }
   Shape operator()(const std::vector<int>*) const { return { "INTS", 1, Many }; }
-  Shape operator()(const Stage*) const { return { "STAGE" }; }
-  Shape operator()(const ViewSpec*) const { return { "VIEW" }; }
+  Shape operator()(const WordTarget& target) const { return { target.TypeName }; }
   Shape operator()(const SizeTarget&) const { return { "SIZE" }; }
 };
 
@@ -66,7 +65,7 @@ void OptionParser::AddTo(CLI::App& command, const OptionTable& table)
     this->Entries.push_back(std::make_unique<Entry>());
     Entry& entry = *this->Entries.back();
     entry.Key = option.Key;
-    const std::string flag = FlagOf(option.Key);
+    const std::string flag = option.Positional ? option.Key : FlagOf(option.Key);
     const Shape shape = std::visit(ShapeOf(), option.Target);
     CLI::Option* added = nullptr;
     if (shape.MostWords == 0)
@@ -85,14 +84,21 @@ void OptionParser::AddTo(CLI::App& command, const OptionTable& table)
         added->delimiter('\0')->multi_option_policy(CLI::MultiOptionPolicy::Throw);
       }
     }
-    added->group(option.Group);
+    if (option.Positional)
+    {
+      added->required();
+    }
+    else
+    {
+      added->group(option.Group);
+    }
     entry.Parsed = added;
   }
 }
 
-GivenOptions OptionParser::Given() const
+ParsedArguments OptionParser::Given() const
 {
-  GivenOptions given;
+  ParsedArguments given;
   for (const auto& entry : this->Entries)
   {
     if (entry->Parsed->count() > 0)

@@ -2,8 +2,7 @@
 #ifndef novelview_OptionParser_h
 #define novelview_OptionParser_h
 
-#include "Job.h"
-#include "Options.h"
+#include "options/Options.h"
 
 #include <CLI/App.hpp>
 
@@ -21,7 +20,7 @@ public:
   void AddTo(CLI::App& command, const OptionTable& table);
 
   /** The options that were given, after the command line has been parsed. */
-  GivenOptions Given() const;
+  ParsedArguments Given() const;
 
 private:
   struct Entry

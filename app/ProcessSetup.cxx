@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ProcessSetup.h"
 
-#include "Error.h"
-#include "OutOfMemory.h"
+#include "base/OutOfMemory.h"
+#include "core/Error.h"
 
 #include <vtkLogger.h>
 

@@ -1,14 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "CheckCommand.h"
 #include "CommandLine.h"
-#include "ConvertCommand.h"
-#include "EvaluateCommand.h"
-#include "InputFile.h"
-#include "MaskCommand.h"
-#include "MeshCommand.h"
-#include "OrbitCommand.h"
 #include "ProcessSetup.h"
-#include "RunCommand.h"
+#include "base/InputFile.h"
 
 #include <cerrno>
 #include <chrono>
@@ -86,15 +79,6 @@ int FlushOutput(int code)
   return code;
 }
 
-void Generate(const GeneratorOptions& options, const std::filesystem::path& out, Console& console)
-{
-  GenerateDataset(options, out,
-    [&console](const std::string& what, double fraction)
-    { return console.Progress(what, fraction); });
-  console.Info("data set written to " + out.string());
-  console.Summary();
-}
-
 /** The processes of mpirun; they are not started before a command that is shared. */
 class Launch
 {
@@ -105,14 +89,10 @@ public:
   {
   }
 
-  template <class Command>
-  auto Shared(Command command)
+  ProcessGroup& Start(int rankTimeoutSeconds)
   {
-    return [this, command](const auto& options, Console& console)
-    {
-      this->Processes = StartProcesses(&this->Count, &this->Words, options.RankTimeoutSeconds);
-      command(options, console, *this->Processes);
-    };
+    this->Processes = StartProcesses(&this->Count, &this->Words, rankTimeoutSeconds);
+    return *this->Processes;
   }
 
   /** The first process says what went wrong here, and ends all; if it does not, this one does. */
@@ -154,19 +134,11 @@ int main(int argc, char** argv)
   HeedSignals();
   const InputProtection protection;
   Launch launch(argc, argv);
-  Commands commands;
-  commands.Rank = FindLaunchPlace().Rank;
-  commands.Processes = FindLaunchPlace().Size;
-  commands.Failed = [&launch](const std::string& error) { launch.TellFailure(error); };
-  commands.StopSignal = [] { return static_cast<int>(StopSignal); };
-  commands.Generate = Generate;
-  commands.Run = RunJob;
-  commands.Render = launch.Shared(RenderJob);
-  commands.Orbit = launch.Shared(FilmOrbit);
-  commands.Mesh = MakeMesh;
-  commands.Evaluate = launch.Shared(EvaluateDataset);
-  commands.Convert = ConvertDataset;
-  commands.Check = RunCheck;
-  commands.Mask = WriteMasks;
-  return launch.End(FlushOutput(RunCommandLine(argc, argv, commands)));
+  ProcessContext processes;
+  processes.Rank = FindLaunchPlace().Rank;
+  processes.Count = FindLaunchPlace().Size;
+  processes.Start = [&launch](int timeout) -> ProcessGroup& { return launch.Start(timeout); };
+  processes.Failed = [&launch](const std::string& error) { launch.TellFailure(error); };
+  processes.StopSignal = [] { return static_cast<int>(StopSignal); };
+  return launch.End(FlushOutput(RunCommandLine(argc, argv, CommandTable(), processes)));
 }

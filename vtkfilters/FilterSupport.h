@@ -3,10 +3,10 @@
 #ifndef novelview_FilterSupport_h
 #define novelview_FilterSupport_h
 
-#include "Error.h"
-#include "Execution.h"
 #include "Threads.h"
 #include "ViewAccess.h"
+#include "core/Error.h"
+#include "core/Execution.h"
 #include "vtkPinholeCamera.h"
 
 #include <vtkAlgorithm.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Threads.h"
 
-#include "Error.h"
+#include "core/Error.h"
 
 #include <vtkSMPTools.h>
 

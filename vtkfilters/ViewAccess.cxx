@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ViewAccess.h"
 
-#include "Error.h"
 #include "Threads.h"
+#include "core/Error.h"
 #include "vtkPinholeCamera.h"
 
 #include <vtkAOSDataArrayTemplate.h>

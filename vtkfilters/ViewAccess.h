@@ -24,8 +24,8 @@
 #ifndef novelview_ViewAccess_h
 #define novelview_ViewAccess_h
 
-#include "TriangleMesh.h"
-#include "View.h"
+#include "geometry/TriangleMesh.h"
+#include "geometry/View.h"
 #include "vtkNovelViewFiltersModule.h"
 
 #include <vtkSmartPointer.h>

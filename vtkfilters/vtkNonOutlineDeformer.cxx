@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkNonOutlineDeformer.h"
 
-#include "FieldDeformation.h"
 #include "FilterSupport.h"
-#include "NonOutlineDeformation.h"
+#include "deformation/FieldDeformation.h"
+#include "deformation/NonOutlineDeformation.h"
 
 #include <vtkMultiBlockDataSet.h>
 #include <vtkObjectFactory.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkOutlineDeformer.h"
 
-#include "FieldDeformation.h"
 #include "FilterSupport.h"
-#include "OutlineDeformation.h"
+#include "deformation/FieldDeformation.h"
+#include "deformation/OutlineDeformation.h"
 
 #include <vtkMultiBlockDataSet.h>
 #include <vtkObjectFactory.h>

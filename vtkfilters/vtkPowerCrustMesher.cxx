@@ -2,7 +2,7 @@
 #include "vtkPowerCrustMesher.h"
 
 #include "FilterSupport.h"
-#include "PowerCrust.h"
+#include "crust/PowerCrust.h"
 
 #include <vtkCellArray.h>
 #include <vtkDataArray.h>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkReferenceDepthEstimator.h"
 
-#include "FieldDeformation.h"
 #include "FilterSupport.h"
-#include "MapComparison.h"
-#include "ReferenceDepth.h"
-#include "SilhouettePrior.h"
-#include "ViewSelection.h"
+#include "deformation/FieldDeformation.h"
+#include "fusion/SilhouettePrior.h"
+#include "geometry/ViewSelection.h"
+#include "stereo/MapComparison.h"
+#include "stereo/ReferenceDepth.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>

@@ -2,7 +2,7 @@
 #include "vtkSilhouetteReconciler.h"
 
 #include "FilterSupport.h"
-#include "SilhouetteConsistency.h"
+#include "silhouettes/SilhouetteConsistency.h"
 
 #include <vtkImageData.h>
 #include <vtkMultiBlockDataSet.h>

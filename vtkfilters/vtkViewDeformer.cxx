@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkViewDeformer.h"
 
-#include "Deformation.h"
-#include "FieldDeformation.h"
 #include "FilterSupport.h"
+#include "deformation/Deformation.h"
+#include "deformation/FieldDeformation.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkInformation.h>

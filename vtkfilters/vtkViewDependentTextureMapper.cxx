@@ -2,8 +2,8 @@
 #include "vtkViewDependentTextureMapper.h"
 
 #include "FilterSupport.h"
-#include "TextureMapping.h"
 #include "ViewAccess.h"
+#include "texture/TextureMapping.h"
 #include "vtkPinholeCamera.h"
 
 #include <vtkImageData.h>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkVisibilityCuller.h"
 
-#include "EdgeSplitting.h"
 #include "FilterSupport.h"
-#include "Rasteriser.h"
 #include "ViewAccess.h"
-#include "Visibility.h"
+#include "geometry/EdgeSplitting.h"
+#include "geometry/Rasteriser.h"
+#include "geometry/Visibility.h"
 #include "vtkPinholeCamera.h"
 
 #include <vtkIdTypeArray.h>

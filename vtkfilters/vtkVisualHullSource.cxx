@@ -3,7 +3,7 @@
 
 #include "FilterSupport.h"
 #include "ViewAccess.h"
-#include "VisualHull.h"
+#include "hull/VisualHull.h"
 
 #include <vtkFloatArray.h>
 #include <vtkInformation.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkOffscreenCapture.h"
 
-#include "Error.h"
-#include "OffscreenWindow.h"
+#include "core/Error.h"
+#include "drawing/OffscreenWindow.h"
 
 #include <vtkImageData.h>
 #include <vtkObjectFactory.h>

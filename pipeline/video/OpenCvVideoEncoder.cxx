@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "VideoEncoder.h"
+#include "video/VideoEncoder.h"
 
 #include <opencv2/videoio.hpp>
 

@@ -2,9 +2,9 @@
 #include "vtkNovelViewSynthesiser.h"
 
 #include "FilterSupport.h"
-#include "Job.h"
-#include "JsonFile.h"
-#include "Synthesis.h"
+#include "base/JsonFile.h"
+#include "synthesis/Synthesis.h"
+#include "synthesis/SynthesisOptions.h"
 
 #include <vtkImageData.h>
 #include <vtkInformation.h>

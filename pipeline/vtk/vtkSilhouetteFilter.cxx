@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkSilhouetteFilter.h"
 
-#include "ContourDistance.h"
 #include "FilterSupport.h"
-#include "Parallel.h"
-#include "Silhouette.h"
+#include "base/Parallel.h"
+#include "masks/Silhouette.h"
+#include "silhouettes/ContourDistance.h"
 
 #include <vtkImageData.h>
 #include <vtkMultiBlockDataSet.h>

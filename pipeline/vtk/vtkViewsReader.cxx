@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkViewsReader.h"
 
-#include "Dataset.h"
 #include "FilterSupport.h"
-#include "ViewSpec.h"
+#include "dataset/Dataset.h"
+#include "dataset/ViewSpec.h"
 
 #include <vtkMultiBlockDataSet.h>
 #include <vtkObjectFactory.h>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whatever is wrong with the input: one clear line, exit code 1 or 2, nothing half-written.
-#include "ProgramRun.h"
+#include "support/ProgramRun.h"
 
-#include "ImageFile.h"
-#include "Middlebury.h"
-#include "PrintableText.h"
+#include "core/PrintableText.h"
+#include "formats/Middlebury.h"
+#include "images/ImageFile.h"
 
 #include <functional>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `--cache`, by the built program: whatever happens to the folder, the picture is right.
-#include "ProgramRun.h"
+#include "support/ProgramRun.h"
 
 #include <unistd.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `novelview check` and `novelview mask`, by the built program.
-#include "ProgramRun.h"
+#include "support/ProgramRun.h"
 
-#include "ImageFile.h"
+#include "images/ImageFile.h"
 
 using namespace novelview;
 using namespace novelview::testing_support;

@@ -1,7 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "CommandLine.h"
-#include "TestSupport.h"
-#include "UsageError.h"
+#include "base/UsageError.h"
+#include "commands/CheckOptions.h"
+#include "commands/ConvertOptions.h"
+#include "commands/EvaluateOptions.h"
+#include "commands/GenerateCommand.h"
+#include "commands/MaskOptions.h"
+#include "commands/OrbitOptions.h"
+#include "commands/RenderOptions.h"
+#include "commands/RunOptions.h"
+#include "support/TestSupport.h"
 
 #include <cstdio>
 #include <optional>
@@ -19,9 +27,8 @@ struct Outcome
   int Code = -1;
   std::string Out;
   std::string Err;
-  std::optional<GeneratorOptions> Generated;
-  std::filesystem::path GeneratedInto;
-  std::optional<Job> Ran;
+  std::optional<GenerateOptions> Generated;
+  std::optional<RunOptions> Ran;
   std::optional<RenderOptions> Rendered;
   std::optional<EvaluateOptions> Evaluated;
   std::optional<OrbitOptions> Filmed;
@@ -34,34 +41,46 @@ struct Outcome
 Outcome Parse(std::vector<const char*> words, const std::function<void()>& inRun = {})
 {
   Outcome outcome;
-  Commands commands;
-  commands.Generate = [&outcome](
-                        const GeneratorOptions& options, const std::filesystem::path& out, Console&)
+  std::vector<Command> commands = CommandTable();
+  const auto replace = [&commands](const std::string& name, auto run)
   {
-    outcome.Generated = options;
-    outcome.GeneratedInto = out;
+    std::find_if(commands.begin(), commands.end(),
+      [&name](const Command& command) { return command.Name == name; })
+      ->Run = [run](const std::filesystem::path& dataset, const ParsedArguments& given,
+                CommandContext&) { return run(dataset, given); };
   };
-  commands.Run = [&outcome, &inRun](const Job& job, Console&)
+  const auto note = [&replace](const std::string& name, auto make, auto& noted)
   {
-    outcome.Ran = job;
-    if (inRun)
+    replace(name,
+      [make, &noted](const std::filesystem::path& dataset, const ParsedArguments& given)
+      {
+        noted = make(dataset, given);
+        return ExitCode::Ok;
+      });
+  };
+  note("generate", MakeGenerateOptions, outcome.Generated);
+  note("render", MakeRenderOptions, outcome.Rendered);
+  note("orbit", MakeOrbitOptions, outcome.Filmed);
+  note("evaluate", MakeEvaluateOptions, outcome.Evaluated);
+  note("convert", MakeConvertOptions, outcome.Converted);
+  note("mask", MakeMaskOptions, outcome.Masked);
+  replace("run",
+    [&](const std::filesystem::path& dataset, const ParsedArguments& given)
     {
-      inRun();
-    }
-  };
-  commands.Render = [&outcome](const RenderOptions& options, Console&)
-  { outcome.Rendered = options; };
-  commands.Evaluate = [&outcome](const EvaluateOptions& options, Console&)
-  { outcome.Evaluated = options; };
-  commands.Orbit = [&outcome](const OrbitOptions& options, Console&) { outcome.Filmed = options; };
-  commands.Convert = [&outcome](const ConvertOptions& options, Console&)
-  { outcome.Converted = options; };
-  commands.Check = [&outcome](const CheckOptions& options, Console&)
-  {
-    outcome.Checked = options;
-    return options.Input.Exclude.empty(); // something that can be either
-  };
-  commands.Mask = [&outcome](const MaskOptions& options, Console&) { outcome.Masked = options; };
+      outcome.Ran = MakeRunOptions(dataset, given);
+      if (inRun)
+      {
+        inRun();
+      }
+      return ExitCode::Ok;
+    });
+  replace("check",
+    [&](const std::filesystem::path& dataset, const ParsedArguments& given)
+    {
+      outcome.Checked = MakeCheckOptions(dataset, given);
+      // something that can be either
+      return outcome.Checked->Input.Exclude.empty() ? ExitCode::Ok : ExitCode::Problems;
+    });
   words.insert(words.begin(), "novelview");
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
@@ -198,7 +217,7 @@ TEST(CommandLine, GenerateIsGivenItsOptions)
     Parse({ "generate", "--out", "o", "--views", "8", "--step", "45", "--size", "320x200",
       "--test-angles", "15,22.5", "--no-lit", "--texture", "marble", "--seed", "-3" });
   ASSERT_TRUE(outcome.Generated) << outcome.Err;
-  EXPECT_EQ(outcome.GeneratedInto, "o");
+  EXPECT_EQ(outcome.Generated->Out, "o");
   EXPECT_EQ(outcome.Generated->Views, 8);
   EXPECT_EQ(outcome.Generated->StepDeg, 45);
   EXPECT_EQ(outcome.Generated->Width, 320);
@@ -259,7 +278,7 @@ TEST(CommandLine, HelpTellsEveryOptionWithDefaultAndUnit)
 {
   const Outcome help = Parse({ "run", "--help" });
   EXPECT_EQ(help.Code, 0);
-  Job job;
+  RunOptions job;
   job.Synthesis = PresetOptions("best");
   for (const Option& option : OptionsOf(job))
   {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `novelview convert`, by the built program: the stages see the same in every format.
-#include "ProgramRun.h"
+#include "support/ProgramRun.h"
 
-#include "ImageFile.h"
+#include "images/ImageFile.h"
 
 #include <cmath>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The photograph of --view like:IMAGE is used nowhere but in the scores.
-#include "ProgramRun.h"
+#include "support/ProgramRun.h"
 
-#include "ImageFile.h"
+#include "images/ImageFile.h"
 
 using namespace novelview;
 using namespace novelview::testing_support;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The paper's dinosaur: a plain object, partly out of frame, a shadow on it in one photograph.
-#include "ProgramRun.h"
+#include "support/ProgramRun.h"
 
-#include "ImageFile.h"
+#include "images/ImageFile.h"
 
 using namespace novelview;
 using namespace novelview::testing_support;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The job files of data/jobs: each is one the program takes.
-#include "Job.h"
+#include "commands/RunOptions.h"
 
 #include <gmock/gmock.h>
 
@@ -21,7 +21,7 @@ TEST(JobFiles, AreAllRead)
   for (const auto& entry : fs::directory_iterator(Project / "data" / "jobs"))
   {
     SCOPED_TRACE(entry.path());
-    const Job job = MakeJob(entry.path(), {});
+    const RunOptions job = MakeRunOptions(entry.path(), {});
     EXPECT_NE(job.View.What, ViewSpec::Kind::None);
     // They are told from their own folder: nothing is written outside the project's out/.
     EXPECT_EQ(job.Out.parent_path(), Project / "out");
@@ -33,7 +33,7 @@ TEST(JobFiles, AreAllRead)
 
 TEST(JobFiles, BunnyIsTheDemosRun)
 {
-  const Job job = MakeJob(Project / "data" / "jobs" / "bunny.json", {});
+  const RunOptions job = MakeRunOptions(Project / "data" / "jobs" / "bunny.json", {});
   EXPECT_EQ(job.Input.Dataset, Project / "out" / "bunny");
   EXPECT_EQ(job.View.ParFile, Project / "out" / "bunny" / "test" / "test_par.txt");
   EXPECT_EQ(job.View.Name, "test0000.png");
@@ -41,7 +41,7 @@ TEST(JobFiles, BunnyIsTheDemosRun)
 
 TEST(JobFiles, DinosaurTakesEveryFourthOf48AndOneBetween)
 {
-  const Job job = MakeJob(Project / "data" / "jobs" / "dino.json", {});
+  const RunOptions job = MakeRunOptions(Project / "data" / "jobs" / "dino.json", {});
   std::vector<std::string> inputs;
   for (int i = 1; i <= 48; ++i)
   {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Too little memory is one line of error, whoever runs out of it.
-#include "ProgramRun.h"
+#include "support/ProgramRun.h"
 
 using namespace novelview;
 using namespace novelview::testing_support;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The texture mapper on the true mesh against an independent program that does the same.
-#include "ProgramRun.h"
+#include "support/ProgramRun.h"
 
 using namespace novelview;
 using namespace novelview::testing_support;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `novelview orbit`, by the built program.
-#include "ProgramRun.h"
+#include "support/ProgramRun.h"
 
-#include "Middlebury.h"
+#include "formats/Middlebury.h"
 
 using namespace novelview;
 using namespace novelview::testing_support;

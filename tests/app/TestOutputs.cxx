@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Nothing of the user's is ever lost: no run replaces what it read, and every file is there whole or
 // not at all.
-#include "ProgramRun.h"
+#include "support/ProgramRun.h"
 
 #include <sstream>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Several processes: `mpirun -n N novelview ..` leaves what one process does, or an error.
 #ifdef NOVELVIEW_MPIEXEC
-#include "ProgramRun.h"
+#include "support/ProgramRun.h"
 
-#include "Middlebury.h"
+#include "formats/Middlebury.h"
 
 #include <chrono>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ProgramRun.h"
+#include "support/ProgramRun.h"
 
-#include "Dataset.h"
-#include "ImageFile.h"
-#include "Middlebury.h"
+#include "dataset/Dataset.h"
+#include "formats/Middlebury.h"
+#include "images/ImageFile.h"
 
 using namespace novelview;
 using namespace novelview::testing_support;

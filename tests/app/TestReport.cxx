@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // report.html of a run, opened in a browser, and the meshes a run and `novelview mesh` write.
-#include "ProgramRun.h"
+#include "support/ProgramRun.h"
 
-#include "ImageFile.h"
+#include "images/ImageFile.h"
 
 using namespace novelview;
 using namespace novelview::testing_support;

@@ -2,15 +2,15 @@
 // Kernels that cost most, on their own.
 #include "BenchScene.h"
 #include "Benchmarks.h"
-#include "ContourDistance.h"
-#include "Dataset.h"
-#include "Execution.h"
-#include "Middlebury.h"
-#include "Parallel.h"
-#include "PowerCrust.h"
-#include "Rasteriser.h"
 #include "Threads.h"
 #include "ViewAccess.h"
+#include "base/Parallel.h"
+#include "core/Execution.h"
+#include "crust/PowerCrust.h"
+#include "dataset/Dataset.h"
+#include "formats/Middlebury.h"
+#include "geometry/Rasteriser.h"
+#include "silhouettes/ContourDistance.h"
 #include "support/TemporaryFolder.h"
 
 #include <vtkMultiBlockDataSet.h>

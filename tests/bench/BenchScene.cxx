@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "BenchScene.h"
 
-#include "ContourDistance.h"
-#include "Execution.h"
-#include "Generator.h"
-#include "ImageFile.h"
-#include "ObjectMesh.h"
-#include "Photographer.h"
-#include "StageRunner.h"
 #include "Threads.h"
 #include "ViewAccess.h"
-#include "VisualHull.h"
+#include "core/Execution.h"
+#include "generator/Generator.h"
+#include "generator/Photographer.h"
+#include "hull/VisualHull.h"
+#include "images/ImageFile.h"
+#include "mesh/ObjectMesh.h"
+#include "silhouettes/ContourDistance.h"
+#include "synthesis/StageRunner.h"
 
 #include <vtkImageData.h>
 #include <vtkMultiBlockDataSet.h>

@@ -6,8 +6,8 @@
 #ifndef novelview_bench_BenchScene_h
 #define novelview_bench_BenchScene_h
 
-#include "SynthesisStages.h"
-#include "TriangleMesh.h"
+#include "geometry/TriangleMesh.h"
+#include "synthesis/SynthesisStages.h"
 
 #include <compare>
 #include <string>

@@ -2,8 +2,8 @@
 // The filters as a run uses them, each again and again with everything before it up to date.
 #include "BenchScene.h"
 #include "Benchmarks.h"
-#include "Parallel.h"
-#include "StageRunner.h"
+#include "base/Parallel.h"
+#include "synthesis/StageRunner.h"
 
 #include <vtkImageData.h>
 

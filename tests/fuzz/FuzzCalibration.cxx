@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A calibration. The first byte is the number of the format in DatasetFormats(), the rest its files,
 // which FileMark separates.
-#include "DatasetFormats.h"
 #include "FuzzSupport.h"
+#include "formats/DatasetFormats.h"
 
 namespace
 {

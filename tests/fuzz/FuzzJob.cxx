@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A job file or, when the first byte is odd, the camera path of a film. The rest is the file.
-#include "FramePlan.h"
 #include "FuzzSupport.h"
-#include "Job.h"
+#include "commands/RunOptions.h"
+#include "video/FramePlan.h"
 
 namespace
 {
@@ -36,11 +36,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     {
       if (data[0] % 2 == 0)
       {
-        novelview::MakeJob(file, {});
+        novelview::MakeRunOptions(file, {});
         return;
       }
       static const novelview::DatasetIndex dataset = ThreeCameras();
-      novelview::OrbitOptions options;
+      novelview::TrajectoryOptions options;
       options.Path = file;
       options.Frames = 5; // the file may ask for a film of any length
       novelview::CamerasOfFrames(options, dataset);

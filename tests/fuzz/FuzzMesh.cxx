@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A mesh file, from its bytes to the object to be photographed. Compiled once for every format.
 #include "FuzzSupport.h"
-#include "MeshFile.h"
-#include "ObjectMesh.h"
+#include "mesh/MeshFile.h"
+#include "mesh/ObjectMesh.h"
 
 #include <vtkCellArray.h>
 #include <vtkIdList.h>

@@ -3,7 +3,7 @@
 #ifndef fuzz_FuzzSupport_h
 #define fuzz_FuzzSupport_h
 
-#include "Error.h"
+#include "core/Error.h"
 
 #include <cstdint>
 #include <cstdio>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Writes small good files for the fuzzers to start from. usage: MakeSeeds FOLDER; each fuzzer's are in
 // FOLDER/NAME
-#include "DatasetFormats.h"
 #include "FuzzSupport.h"
+#include "formats/DatasetFormats.h"
 
 #include <vtkCylinderSource.h>
 #include <vtkNew.h>

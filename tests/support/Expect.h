@@ -2,8 +2,8 @@
 #ifndef support_Expect_h
 #define support_Expect_h
 
-#include "Error.h"
-#include "Execution.h"
+#include "core/Error.h"
+#include "core/Execution.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -4,9 +4,9 @@
 #ifndef support_Scene_h
 #define support_Scene_h
 
-#include "ContourDistance.h"
-#include "TriangleMesh.h"
-#include "View.h"
+#include "geometry/TriangleMesh.h"
+#include "geometry/View.h"
+#include "silhouettes/ContourDistance.h"
 
 #include <Eigen/Geometry>
 

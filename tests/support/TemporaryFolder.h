@@ -2,7 +2,7 @@
 #ifndef support_TemporaryFolder_h
 #define support_TemporaryFolder_h
 
-#include "Error.h"
+#include "core/Error.h"
 
 #include <cstdlib>
 #include <filesystem>

@@ -3,8 +3,8 @@
 #ifndef support_VtkScene_h
 #define support_VtkScene_h
 
-#include "Scene.h"
 #include "ViewAccess.h"
+#include "support/Scene.h"
 #include "vtkPinholeCamera.h"
 
 #include <vtkAlgorithm.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "FieldDeformation.h"
-#include "NonOutlineDeformation.h"
-#include "OutlineDeformation.h"
 #include "Threads.h"
-#include "Visibility.h"
+#include "deformation/FieldDeformation.h"
+#include "deformation/NonOutlineDeformation.h"
+#include "deformation/OutlineDeformation.h"
+#include "geometry/Visibility.h"
 #include "support/VtkScene.h"
 #include "vtkNonOutlineDeformer.h"
 #include "vtkOutlineDeformer.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "FieldDeformation.h"
-#include "MapComparison.h"
-#include "ReferenceDepth.h"
-#include "SilhouettePrior.h"
 #include "Threads.h"
-#include "ViewSelection.h"
+#include "deformation/FieldDeformation.h"
+#include "fusion/SilhouettePrior.h"
+#include "geometry/ViewSelection.h"
+#include "stereo/MapComparison.h"
+#include "stereo/ReferenceDepth.h"
 #include "support/VtkScene.h"
 #include "vtkReferenceDepthEstimator.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "SilhouetteConsistency.h"
+#include "silhouettes/SilhouetteConsistency.h"
 #include "support/VtkScene.h"
 #include "vtkSilhouetteReconciler.h"
 

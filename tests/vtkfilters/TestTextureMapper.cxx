@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "TextureMapping.h"
 #include "Threads.h"
 #include "support/VtkScene.h"
+#include "texture/TextureMapping.h"
 #include "vtkViewDependentTextureMapper.h"
 
 #include <vtkPointData.h>

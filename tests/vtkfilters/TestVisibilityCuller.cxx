@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Visibility.h"
+#include "geometry/Visibility.h"
 #include "support/VtkScene.h"
 #include "vtkVisibilityCuller.h"
 

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef novelview_UsageError_h
+#define novelview_UsageError_h
+
+#include "core/Error.h"
+
+namespace novelview
+{
+/** The user asked for something that is no option, or gave it a value it cannot take. */
+class UsageError : public Error
+{
+public:
+  using Error::Error;
+  explicit UsageError(const Error& error)
+    : Error(error)
+  {
+  }
+};
+}
+
+#endif

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/** Which views of a data set do not belong to the others, and why. */
+#ifndef novelview_CheckViews_h
+#define novelview_CheckViews_h
+
+#include "check/CheckSilhouettes.h"
+#include "core/Execution.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace novelview
+{
+struct CheckedCamera;
+
+/** A view that does not belong to the others. */
+struct BlamedView
+{
+  int CameraId = 0;
+  std::string Kind; ///< "swapped", "mask-inverted", "mask-of-another", "mask", "camera" or "view"
+  std::string Text;
+};
+
+/** Intersection over union of two masks; 0 when their sizes differ. */
+double MaskIou(const Image<std::uint8_t>& a, const Image<std::uint8_t>& b);
+
+/**
+ * Leaves out, one after the other, the views without which all others agree (at most a third of
+ * them), takes back those that agree with the rest after all, and looks for what mends each: its mask
+ * inverted, that of another, or the silhouette that its photograph shows.
+ */
+class ViewExamination
+{
+public:
+  ViewExamination(const std::vector<Photograph>& cameras, CheckedSilhouettes& silhouettes,
+    const std::vector<FoundMask>& masks, const SilhouetteOptions& silhouette,
+    const Execution& execution);
+
+  /** Does it; fills in one entry per camera. */
+  void Examine(std::vector<CheckedCamera>& agreement);
+
+  const std::vector<BlamedView>& Blamed() const { return this->Found; }
+  /** Their names, with commas. */
+  std::string BlamedNames() const;
+  double MeanIou() const { return this->First.MeanIou; }
+  /** The same without the blamed ones. */
+  double MeanIouAfter() const { return this->Last.MeanIou; }
+  const std::vector<Eigen::Vector3d>& HullPoints() const { return this->Last.Points; }
+
+private:
+  AgreementSurvey Survey(const std::vector<int>& ids) const;
+  static std::optional<std::size_t> Suspect(const AgreementSurvey& survey);
+  void LeaveOut();
+  void TakeBack();
+  bool AgreesWithRest(const std::vector<int>& more) const;
+  bool AgreesWith(int id, const FoundMask& mask, bool invert);
+  void Explain();
+  void ExplainSwaps();
+  BlamedView ExplainOne(int id);
+  BlamedView ExplainByPhotograph(int id);
+  std::string Against(int id) const;
+
+  const std::vector<Photograph>& Cameras;
+  CheckedSilhouettes& Silhouettes;
+  const std::vector<FoundMask>& Masks;
+  const SilhouetteOptions& Extraction;
+  const Execution& Run;
+  std::vector<int> Active;          ///< ids of the views that are not blamed
+  std::vector<int> Out;             ///< ids of those that are
+  std::vector<double> ShareAgainst; ///< by camera, when it was blamed
+  AgreementSurvey First;            ///< of all
+  AgreementSurvey Last;             ///< of Active
+  std::vector<BlamedView> Found;
+};
+}
+
+#endif

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef novelview_MeshOptions_h
+#define novelview_MeshOptions_h
+
+#include "commands/MethodOptions.h"
+
+#include <filesystem>
+#include <vector>
+
+namespace novelview
+{
+/** The whole object as a mesh with the photographs' colours: `novelview mesh`. */
+struct MeshOptions : MethodOptions
+{
+  std::vector<std::filesystem::path> Out; ///< files, see ModelFile.h
+  int TextureSizePx = 4096;               ///< of the texture, at most
+};
+
+/** The table: what the options are called, their help, units and ranges. */
+OptionTable OptionsOf(MeshOptions& options);
+
+/** See MergeOptions(). Throws UsageError. */
+MeshOptions MakeMeshOptions(const std::filesystem::path& dataset, const ParsedArguments& given);
+}
+
+#endif

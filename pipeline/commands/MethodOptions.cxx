@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/MethodOptions.h"
+
+#include "base/UsageError.h"
+
+namespace novelview
+{
+namespace fs = std::filesystem;
+
+Option ThreadsOption(int& threads)
+{
+  // The result is the same with any number, so a written job does not hold it.
+  return { "threads", "threads to use; 0 = one per core", "", "Program", &threads, 0, 1024, {},
+    false };
+}
+
+Option RankTimeoutOption(int& seconds)
+{
+  return { "rankTimeout",
+    "end the run of several processes (mpirun) when one of them is silent for so long; 0 = never",
+    "s", "Program", &seconds, 0, 86400, {}, false };
+}
+
+Option TextureSizeOption(int& sizePx, const char* group)
+{
+  return { "textureSize", "largest side of a mesh's texture", "px", group, &sizePx, 64, 16384 };
+}
+
+OptionTable WithMethod(OptionTable table, MethodOptions& options)
+{
+  table.push_back(StageOption(options.UpTo));
+  AppendOptions(table, OptionsOf(options.Synthesis));
+  AppendOptions(table, OptionsOf(options.Input));
+  table.push_back(ThreadsOption(options.Threads));
+  return table;
+}
+
+void MergeOptions(const fs::path& dataset, const ParsedArguments& given, const OptionTable& table,
+  SynthesisOptions (*defaultsOf)(const std::string&), MethodOptions& options)
+{
+  const auto applyPreset = [&](const std::string& preset)
+  {
+    SetFromText(FindOption(table, "preset"), { preset }); // throws when there is none of this name
+    options.Synthesis = defaultsOf(preset);
+  };
+  applyPreset(std::string(options.Synthesis.Preset));
+  std::error_code failure;
+  if (fs::is_regular_file(dataset, failure))
+  {
+    const nlohmann::ordered_json object = ReadJsonObject(dataset);
+    if (object.contains("preset"))
+    {
+      const OptionTable preset{ FindOption(table, "preset") };
+      SetFromJson(preset, { { "preset", object["preset"] } }, {}, dataset.string());
+      applyPreset(std::string(options.Synthesis.Preset));
+    }
+    SetFromJson(table, object, fs::absolute(dataset).parent_path(), dataset.string());
+  }
+  else
+  {
+    options.Input.Dataset = dataset;
+  }
+  for (const auto& [key, words] : given)
+  {
+    if (key == "preset" && words.size() == 1)
+    {
+      applyPreset(words.front());
+    }
+  }
+  SetFromArguments(table, given);
+  if (options.Input.Dataset.empty())
+  {
+    throw UsageError(dataset.empty() ? "data set" : dataset.string(), "no data set given");
+  }
+}
+
+void RequireOut(bool given)
+{
+  if (!given)
+  {
+    throw UsageError("--out", "no place for the results given");
+  }
+}
+}

@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "dataset/Dataset.h"
+
+#include "ViewAccess.h"
+#include "base/InputFile.h"
+#include "base/Parallel.h"
+#include "cameras/CameraLimits.h"
+#include "core/Error.h"
+#include "formats/DatasetFormats.h"
+#include "images/ImageFile.h"
+#include "silhouettes/ContourDistance.h"
+
+#include <vtkImageData.h>
+
+#include <algorithm>
+#include <set>
+
+namespace novelview
+{
+namespace fs = std::filesystem;
+namespace
+{
+/** Throws where a camera is none; its size may be unknown, 0x0. */
+void CheckCamera(const Photograph& photograph)
+{
+  const Camera& camera = photograph.Cam;
+  if (camera.Width == 0 && camera.Height == 0)
+  {
+    ValidateCalibration(camera, photograph.Where);
+    return;
+  }
+  if (camera.Width > MostExtentPx || camera.Height > MostExtentPx)
+  {
+    throw Error(photograph.Where, "image size is out of range",
+      SizeText(camera.Width, camera.Height), "sides of at most " + std::to_string(MostExtentPx));
+  }
+  ValidateCamera(camera, photograph.Where);
+}
+
+/** Throws where a camera in the project's convention is none, or a name is there twice. */
+void CheckCameras(const std::vector<Photograph>& photographs, const fs::path& calibration)
+{
+  if (photographs.empty())
+  {
+    throw Error(calibration.string(), "calibration holds no camera");
+  }
+  std::set<std::string> names;
+  for (const Photograph& photograph : photographs)
+  {
+    CheckCamera(photograph);
+    ValidateLens(photograph.Distortion, photograph.Where);
+    if (!names.insert(photograph.Name).second)
+    {
+      throw Error(photograph.Where, "photograph " + photograph.Name + " is there twice");
+    }
+  }
+}
+
+/** Fills in the masks that the calibration does not name. */
+void FindMasks(const fs::path& folder, std::vector<Photograph>& photographs)
+{
+  for (Photograph& photograph : photographs)
+  {
+    for (const fs::path& base : { folder, folder / "images" })
+    {
+      if (photograph.Mask.empty())
+      {
+        photograph.Mask = MaskFileOf(base, photograph.Name);
+      }
+    }
+  }
+}
+
+void Invert(Image<std::uint8_t>& mask)
+{
+  for (std::uint8_t& value : mask.Values)
+  {
+    value = static_cast<std::uint8_t>(255 - value);
+  }
+}
+
+void CheckSize(const Image<std::uint8_t>& mask, int width, int height, const fs::path& maskFile)
+{
+  if (mask.Width != width || mask.Height != height)
+  {
+    throw Error(maskFile.string(), "mask has another size than its photograph",
+      SizeText(mask.Width, mask.Height), SizeText(width, height));
+  }
+}
+
+/** One photograph, read and prepared. */
+struct Prepared
+{
+  vtkSmartPointer<vtkImageData> Block;
+  Coverage Covered;
+  std::vector<std::string> Warnings;
+  bool Extracted = false;
+};
+
+Prepared Prepare(const Photograph& photograph, const DatasetOptions& options)
+{
+  const PhotographPixels pixels =
+    ReadPhotograph(photograph, options.ForceSilhouettes, options.Silhouette);
+  const Image<std::uint8_t>& mask = pixels.Mask;
+  Camera camera = photograph.Cam;
+  camera.Width = mask.Width;
+  camera.Height = mask.Height;
+  ValidateCamera(camera, photograph.Where);
+  Prepared result;
+  result.Extracted = pixels.Source == MaskSource::Extracted;
+  result.Covered = MeasureCoverage(mask.Ref());
+  result.Warnings = CheckCoverage(result.Covered, "view " + photograph.Name);
+  result.Block = NewImage(mask.Width, mask.Height);
+  SetPixels(result.Block, arrays::Color, pixels.Color.Ref());
+  SetPixels(result.Block, arrays::Mask, mask.Ref());
+  const Image<float> distance = SignedContourDistance(mask.Ref());
+  SetPixels(result.Block, arrays::ContourDistance, distance.Ref());
+  return result;
+}
+
+/**
+ * A photograph that was resized after its calibration would carve the object away. It shows where
+ * another photograph has the same K.
+ */
+void CheckSizes(const std::vector<Photograph>& cameras, const std::vector<Prepared>& prepared)
+{
+  for (std::size_t i = 1; i < cameras.size(); ++i)
+  {
+    int size[2][3];
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      prepared[i].Block->GetDimensions(size[0]);
+      prepared[j].Block->GetDimensions(size[1]);
+      if (cameras[i].Cam.K == cameras[j].Cam.K &&
+        (size[0][0] != size[1][0] || size[0][1] != size[1][1]))
+      {
+        throw Error("view " + cameras[i].Name,
+          "photograph has another size than " + cameras[j].Name + ", whose K is the same",
+          SizeText(size[0][0], size[0][1]), SizeText(size[1][0], size[1][1]));
+      }
+    }
+  }
+}
+
+/** Says which photographs had no mask, when others had. */
+std::string MissingMasks(
+  const std::vector<Photograph>& cameras, const std::vector<Prepared>& prepared)
+{
+  std::string names;
+  bool any = false;
+  for (std::size_t i = 0; i < cameras.size(); ++i)
+  {
+    any |= !prepared[i].Extracted;
+    names += prepared[i].Extracted ? (names.empty() ? "" : ", ") + cameras[i].Name : "";
+  }
+  return any && !names.empty() ? "no mask, silhouette extracted: " + names : "";
+}
+
+/** What a calibration names is an input, whether it is read or left out. */
+void ProtectInputs(const fs::path& calibration, const std::vector<Photograph>& photographs)
+{
+  ProtectInput(calibration);
+  for (const Photograph& photograph : photographs)
+  {
+    ProtectInput(photograph.File);
+    ProtectInput(photograph.Mask);
+  }
+}
+}
+
+DatasetIndex ReadDatasetIndex(const fs::path& folder, const DatasetSource& source)
+{
+  std::error_code failure;
+  if (!fs::is_directory(folder, failure))
+  {
+    throw Error(folder.string(), "no such folder");
+  }
+  const FoundCalibration found = ChooseCalibration(folder, source.Calibration, source.Format);
+  Calibration calibration = found.Format->Read(folder, found.File);
+  ApplyConvention(Override(calibration.Convention, source.Convention), calibration.Photographs);
+  CheckCameras(calibration.Photographs, found.File);
+  FindMasks(folder, calibration.Photographs);
+  ProtectInputs(found.File, calibration.Photographs);
+  return { folder, found.File, found.Format->Name, std::move(calibration.Photographs) };
+}
+
+std::vector<Photograph> ReadViewCameras(const fs::path& calibration)
+{
+  const fs::path folder = calibration.has_parent_path() ? calibration.parent_path() : ".";
+  const FoundCalibration found = ChooseCalibration(folder, calibration, "auto");
+  Calibration read = found.Format->Read(folder, found.File);
+  ApplyConvention(read.Convention, read.Photographs);
+  CheckCameras(read.Photographs, found.File);
+  FindMasks(folder, read.Photographs);
+  ProtectInputs(found.File, read.Photographs);
+  return read.Photographs;
+}
+
+std::vector<Photograph> WithoutExcluded(
+  const DatasetIndex& index, const std::vector<std::string>& exclude)
+{
+  std::vector<Photograph> kept;
+  std::set<std::string> unknown(exclude.begin(), exclude.end());
+  for (const Photograph& camera : index.Cameras)
+  {
+    unknown.erase(camera.Name);
+    if (std::find(exclude.begin(), exclude.end(), camera.Name) == exclude.end())
+    {
+      kept.push_back(camera);
+    }
+  }
+  if (!unknown.empty())
+  {
+    throw Error(
+      index.Calibration.string(), "no photograph of the name to exclude: " + *unknown.begin());
+  }
+  if (kept.empty())
+  {
+    throw Error(index.Calibration.string(), "no photograph left");
+  }
+  return kept;
+}
+
+Image<std::uint8_t> ReadGivenMask(const Photograph& photograph)
+{
+  Image<std::uint8_t> mask =
+    photograph.Mask.empty() ? ReadAlphaFile(photograph.File) : ReadGreyFile(photograph.Mask);
+  if (photograph.InvertMask)
+  {
+    Invert(mask);
+  }
+  return mask;
+}
+
+PhotographPixels ReadPhotograph(
+  const Photograph& photograph, bool forceSilhouette, const SilhouetteOptions& silhouette)
+{
+  PhotographPixels pixels;
+  pixels.Color = ReadColorFile(photograph.File);
+  const int width = pixels.Color.Width;
+  const int height = pixels.Color.Height;
+  const Camera& camera = photograph.Cam;
+  if (camera.Width > 0 && (camera.Width != width || camera.Height != height))
+  {
+    throw Error(photograph.File.string(), "photograph has another size than its calibration",
+      SizeText(width, height), SizeText(camera.Width, camera.Height));
+  }
+  if (!forceSilhouette)
+  {
+    pixels.Mask = ReadGivenMask(photograph);
+    pixels.Source = photograph.Mask.empty() ? MaskSource::Alpha : MaskSource::File;
+  }
+  if (pixels.Mask.Values.empty())
+  {
+    // From the photograph as it is: the border that undistorting exposes is no background.
+    pixels.Mask = ExtractSilhouette(pixels.Color.Ref(), silhouette);
+    pixels.Source = MaskSource::Extracted;
+  }
+  CheckSize(pixels.Mask, width, height, photograph.Mask);
+  if (!photograph.Distortion.IsPinhole())
+  {
+    pixels.Color = Undistorted(pixels.Color.Ref(), photograph.Distortion, camera.K);
+    pixels.Mask = Undistorted(pixels.Mask.Ref(), photograph.Distortion, camera.K);
+  }
+  return pixels;
+}
+
+Dataset ReadDataset(const DatasetIndex& index, const DatasetOptions& options,
+  const std::function<void(double fraction)>& progress)
+{
+  const std::vector<Photograph> cameras = WithoutExcluded(index, options.Exclude);
+  std::vector<Prepared> prepared(cameras.size());
+  ParallelForEach(
+    cameras.size(), [&](std::size_t i) { prepared[i] = Prepare(cameras[i], options); }, progress);
+  CheckSizes(cameras, prepared);
+  Dataset dataset;
+  dataset.Views = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  for (std::size_t i = 0; i < cameras.size(); ++i)
+  {
+    AppendView(dataset.Views, cameras[i].Name, prepared[i].Block, cameras[i].Cam);
+    dataset.Coverages.push_back(prepared[i].Covered);
+    dataset.Warnings.insert(
+      dataset.Warnings.end(), prepared[i].Warnings.begin(), prepared[i].Warnings.end());
+  }
+  const std::string missing = MissingMasks(cameras, prepared);
+  if (!missing.empty())
+  {
+    dataset.Warnings.push_back(missing);
+  }
+  return dataset;
+}
+}

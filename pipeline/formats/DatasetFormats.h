@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/** The formats that calibrations of data sets come in, as one table. */
+#ifndef novelview_DatasetFormats_h
+#define novelview_DatasetFormats_h
+
+#include "cameras/CameraConvention.h"
+#include "cameras/Photograph.h"
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace novelview
+{
+/** What a calibration file says, before any convention is applied. */
+struct Calibration
+{
+  CameraConvention Convention;         ///< the one the cameras are stated in, complete
+  std::vector<Photograph> Photographs; ///< File is set, Mask only where the calibration names one
+};
+
+/** A file to be written. */
+struct FileContent
+{
+  std::filesystem::path Path; ///< in the data set's folder
+  std::string Bytes;
+};
+
+/** A format of data sets; what is done with one. */
+struct DatasetFormat
+{
+  std::string Name;      ///< "colmap"
+  std::string LookedFor; ///< what tells the format, for messages
+
+  /** The calibrations of this format that a folder holds. */
+  std::function<std::vector<std::filesystem::path>(const std::filesystem::path& folder)> Find;
+
+  /** Whether a path that somebody names looks like a calibration of this format. */
+  std::function<bool(const std::filesystem::path& calibration)> Accepts;
+
+  /** Reads one; `folder` is that of the data set. */
+  std::function<Calibration(
+    const std::filesystem::path& folder, const std::filesystem::path& calibration)>
+    Read;
+
+  // ---- writing
+  std::string PhotoFolder; ///< where photographs go, in the data set's folder; empty = there
+  std::string MaskFolder;  ///< where masks go
+  /** The name of a photograph's mask in there. */
+  std::function<std::string(const std::string& name)> MaskName;
+  /** Whether the format has numbers for the lens of a photograph. */
+  std::function<bool(const Photograph& photograph)> HoldsLens;
+  /**
+   * The files of a calibration, to be written in this order: the last one is what makes the folder
+   * a data set. Photographs have names, sizes and cameras in the project's convention; where Mask is
+   * set it is a path in the data set's folder. `name` is for formats that leave the file's name to
+   * the writer. Throws Error when the format cannot hold a camera.
+   */
+  std::function<std::vector<FileContent>(
+    const std::string& name, const std::vector<Photograph>& photographs)>
+    Compose;
+};
+
+/** All formats, in the order in which they are tried. */
+const std::vector<DatasetFormat>& DatasetFormats();
+
+/** Their names. */
+std::vector<std::string> DatasetFormatNames();
+
+/** A format by its name; throws Error when there is none. */
+const DatasetFormat& FormatOf(const std::string& name);
+
+/** A calibration in a folder. */
+struct FoundCalibration
+{
+  const DatasetFormat* Format = nullptr;
+  std::filesystem::path File;
+};
+
+/** Every calibration of the format (or, with "auto", of any) that the folder holds. */
+std::vector<FoundCalibration> CalibrationsIn(
+  const std::filesystem::path& folder, const std::string& format = "auto");
+
+/**
+ * The one calibration that is meant. With a path given, "auto" goes by what lies there. Throws Error
+ * when there is none or more than one.
+ */
+FoundCalibration ChooseCalibration(const std::filesystem::path& folder,
+  const std::filesystem::path& calibration, const std::string& format);
+}
+
+#endif

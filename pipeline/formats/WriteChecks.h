@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Private to the pipeline's sources: what writers of calibrations have in common.
+#ifndef novelview_WriteChecks_h
+#define novelview_WriteChecks_h
+
+#include "base/NumberText.h"
+#include "cameras/Photograph.h"
+#include "core/Error.h"
+#include "core/PrintableText.h"
+
+#include <Eigen/Dense>
+
+#include <string>
+
+namespace novelview
+{
+/** For formats that have no number for a skew. */
+inline void RefuseSkew(const Photograph& photograph, const std::string& format)
+{
+  const double skew = photograph.Cam.K(0, 1);
+  if (skew != 0)
+  {
+    throw Error("view " + photograph.Name,
+      "K has a skew, which the format " + format + " cannot hold", NumberText(skew), "0");
+  }
+}
+
+/** For formats whose texts must be UTF-8. */
+inline void RequireUtf8Name(const Photograph& photograph, const std::string& format)
+{
+  if (!IsUtf8(photograph.Name) || !IsUtf8(photograph.Mask.string()))
+  {
+    throw Error("view " + photograph.Name,
+      "the format " + format + " cannot hold a file name that is no UTF-8");
+  }
+}
+
+/** For formats whose writers garble other characters. */
+inline void RequireAsciiName(const Photograph& photograph, const std::string& format)
+{
+  for (const char c : photograph.Name + photograph.Mask.string())
+  {
+    if (c < ' ' || c > '~')
+    {
+      throw Error("view " + photograph.Name,
+        "the format " + format + " cannot hold a file name with characters beyond ASCII");
+    }
+  }
+}
+
+/** The rotation nearest to a matrix that is one to a few digits. */
+inline Eigen::Matrix3d NearestRotation(const Eigen::Matrix3d& matrix)
+{
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  return svd.matrixU() * svd.matrixV().transpose();
+}
+}
+
+#endif

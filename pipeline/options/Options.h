@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * Options as tables: one line per option says its key, help, unit, range and where its value lives.
+ * Reading and writing JSON, command-line options and --help all come from the same table.
+ */
+#ifndef novelview_Options_h
+#define novelview_Options_h
+
+#include "base/UsageError.h"
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <filesystem>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace novelview
+{
+/** Width and height as one option, "640x480". */
+struct SizeTarget
+{
+  int* Width;
+  int* Height;
+};
+
+/** What a path of an option becomes: itself, or relative to another folder. */
+using PathMap = std::function<std::filesystem::path(const std::filesystem::path&)>;
+
+/** A value of a type of its own that is written as one word. */
+struct WordTarget
+{
+  const char* TypeName; ///< in the help: "STAGE"
+  std::string Range;    ///< its words, if they can be listed
+  /** Throws UsageError, naming `where`, when the word is none. */
+  std::function<void(const std::string& word, const std::string& where, const PathMap& paths)> Set;
+  std::function<std::string(const PathMap& paths)> Get;
+};
+
+/** Where the value of an option lives; the type says what it accepts. */
+using OptionTarget =
+  std::variant<bool*, int*, double*, std::string*, std::filesystem::path*, std::optional<double>*,
+    std::optional<std::array<double, 6>>*, std::vector<std::string>*, std::vector<double>*,
+    std::vector<int>*, std::vector<std::filesystem::path>*, WordTarget, SizeTarget>;
+
+/** No limit of an option's range. */
+constexpr double Unlimited = std::numeric_limits<double>::infinity();
+
+struct Option
+{
+  std::string Key;   ///< in JSON, "hullSpacing"; on the command line "--hull-spacing"
+  std::string Help;  ///< what it does, without unit, default and range
+  std::string Unit;  ///< "px", "deg", ..; empty = none
+  std::string Group; ///< heading in the help
+  OptionTarget Target;
+  double Min = -Unlimited;
+  double Max = Unlimited;
+  std::vector<std::string> Choices = {}; ///< of a text; empty = any
+  bool InJob = true; ///< false: cannot change the result, so it is read from jobs, not written
+  bool Positional = false; ///< on the command line a word without flag
+};
+using OptionTable = std::vector<Option>;
+
+/** Words of a command line by the key of their option, in the order given. */
+using ParsedArguments = std::vector<std::pair<std::string, std::vector<std::string>>>;
+
+void AppendOptions(OptionTable& table, OptionTable more);
+
+/** The option of a key. Throws UsageError, naming the flag, when there is none. */
+const Option& FindOption(const OptionTable& table, const std::string& key);
+
+/** "hullSpacing" as "--hull-spacing". */
+std::string FlagOf(const std::string& key);
+
+/** The value as text, e.g. for "default: .."; empty when there is none. */
+std::string ValueText(const Option& option);
+
+/** The range as text, "1 to 10", "at least 0", "hull, outline, full"; empty when there is none. */
+std::string RangeText(const Option& option);
+
+/**
+ * Sets an option from words of a command line; a list takes all of them. Throws UsageError, naming
+ * the flag.
+ */
+void SetFromText(const Option& option, const std::vector<std::string>& words);
+
+/** Sets the options that were given. Throws UsageError, naming the flag. */
+void SetFromArguments(const OptionTable& table, const ParsedArguments& given);
+
+/**
+ * Sets options from a JSON object. Relative paths are relative to `folder`. Unknown keys (the
+ * nearest known one is suggested), wrong types and values out of range throw UsageError, naming
+ * `where` and the key.
+ */
+void SetFromJson(const OptionTable& table, const nlohmann::ordered_json& object,
+  const std::filesystem::path& folder, const std::string& where);
+
+/** All options that are part of a job. Paths are absolute, but for one inside `folder`. */
+nlohmann::ordered_json ToJson(const OptionTable& table, const std::filesystem::path& folder);
+
+/** Reads the JSON object of a job or a path of cameras. Throws UsageError. */
+nlohmann::ordered_json ReadJsonObject(const std::filesystem::path& path);
+}
+
+#endif

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * A report as one HTML file that needs nothing else: pictures, styles and script are inside, nothing
+ * is fetched. Everything can be read without the script, which adds sliders and a player.
+ *
+ * All texts are plain: they are escaped here, and bytes that are no UTF-8 are replaced.
+ */
+#ifndef novelview_ReportPage_h
+#define novelview_ReportPage_h
+
+#include "core/ImageRef.h"
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace novelview
+{
+/** For HTML and SVG, as text or as an attribute in double quotes. */
+std::string HtmlEscaped(const std::string& text);
+
+/** A picture inside a page. */
+struct ReportPicture
+{
+  std::string Name;    ///< short, e.g. for a choice: "full"
+  std::string Caption; ///< a line below it
+  std::string Source;  ///< "data:image/jpeg;base64,..."
+  int Width = 0;       ///< as embedded, px
+  int Height = 0;
+};
+
+/**
+ * The pixels (RGB or grey) as a JPEG of at most this many pixels on the longer side; smaller ones
+ * are not enlarged. Throws Error when they cannot be encoded.
+ */
+ReportPicture EmbedPicture(const std::string& name, const std::string& caption,
+  const ImageRef<const std::uint8_t>& pixels, int longestSidePx, int quality = 90);
+
+/** A cell of a table: a text, or a number, of which the page keeps every digit. */
+struct ReportCell
+{
+  ReportCell(std::string text)
+    : Text(std::move(text))
+  {
+  }
+  ReportCell(double value, const char* format);
+
+  std::string Text;
+  std::optional<double> Value;
+};
+
+struct ReportTable
+{
+  std::string Id; ///< of the element
+  std::string Caption;
+  std::vector<std::string> Columns;
+  std::vector<std::vector<ReportCell>> Rows;
+  int BarColumn = -1; ///< its numbers are also drawn as bars; -1 = none
+};
+
+/** A line of a chart; points that are not finite are left out. */
+struct ReportLine
+{
+  std::string Name;
+  std::vector<std::array<double, 2>> Points; ///< x, y
+};
+
+struct ReportChart
+{
+  std::string Title;
+  std::string XTitle;
+  std::vector<ReportLine> Lines;
+  std::vector<std::string> XLabels = {}; ///< what stands at 0, 1, 2 ..; numbers when empty
+};
+
+/** The chart as an SVG element, coloured by the page's styles. */
+std::string SvgOf(const ReportChart& chart);
+
+/** One step of a player: its line of text and a picture for each of the player's tracks. */
+struct ReportFrame
+{
+  std::string Caption;
+  std::vector<ReportPicture> Pictures; ///< as many as there are tracks, Name = the track's
+};
+
+class ReportPage
+{
+public:
+  ReportPage(std::string title, std::string subtitle);
+
+  /** Everything added from here on stands under this heading; `id` is a word of letters. */
+  void BeginSection(const std::string& id, const std::string& heading);
+
+  void AddText(const std::string& text);
+  /** Numbers to see first: what it is, and its value. */
+  void AddTiles(const std::vector<std::pair<std::string, std::string>>& tiles);
+  void AddGallery(const std::vector<ReportPicture>& pictures);
+  void AddPicture(const ReportPicture& picture);
+  /** Pictures of one size, of which any two can be laid over each other with a slider. */
+  void AddComparison(const std::string& id, const std::vector<ReportPicture>& pictures,
+    const std::string& left, const std::string& right);
+  /** Pictures one after the other. */
+  void AddPlayer(const std::string& id, const std::vector<ReportFrame>& frames);
+  void AddTable(const ReportTable& table);
+  void AddCharts(const std::vector<ReportChart>& charts);
+  /** JSON to read, below a line that opens it. */
+  void AddJson(
+    const std::string& id, const std::string& heading, const nlohmann::ordered_json& value);
+
+  /** The whole file; `data` goes into it as one block of JSON, the element "report-data". */
+  std::string Html(const nlohmann::ordered_json& data) const;
+
+private:
+  std::string Title;
+  std::string Subtitle;
+  std::string Links;
+  std::string Body;
+  bool InSection = false;
+};
+}
+
+#endif

@@ -1,0 +1,458 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "synthesis/Synthesis.h"
+
+#include "ViewAccess.h"
+#include "base/NumberText.h"
+#include "core/Error.h"
+#include "synthesis/StageCache.h"
+#include "synthesis/StageRunner.h"
+#include "synthesis/SynthesisStages.h"
+#include "vtkPinholeCamera.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkNew.h>
+
+#include <algorithm>
+
+namespace novelview
+{
+namespace
+{
+std::string Pixels(double length)
+{
+  return Formatted("%.1f px", length);
+}
+
+/** A picture without a single pixel of the object is nothing to hand out silently. */
+void RequireObject(vtkImageData* image)
+{
+  const auto mask = TopDownArray<const unsigned char>(image, arrays::Mask, 1, "novel view", true);
+  for (int y = 0; y < mask.Height; ++y)
+  {
+    if (std::any_of(mask.Row(y), mask.Row(y) + mask.Width, [](auto value) { return value > 127; }))
+    {
+      return;
+    }
+  }
+  throw Error("novel camera", "the object covers no pixel of its picture: it is too far away");
+}
+}
+
+class Synthesis::Internals
+{
+public:
+  Internals(
+    vtkMultiBlockDataSet* views, const SynthesisOptions& options, SynthesisListener listener)
+    : Options(options)
+    , Listener(std::move(listener))
+    , Filters(views, options)
+  {
+    if (!options.Cache.empty())
+    {
+      this->Cache.emplace(options.Cache, views, options);
+    }
+  }
+
+  Internals(
+    const ViewIndependent& prepared, const SynthesisOptions& options, SynthesisListener listener)
+    : Options(options)
+    , Listener(std::move(listener))
+    , Filters(prepared.Views, options)
+    , Kept(prepared)
+  {
+    this->UseKept();
+  }
+
+  ViewIndependent Prepared()
+  {
+    this->Prepare();
+    return this->Kept ? *this->Kept : this->Results();
+  }
+
+  /** The hull at least; with a cache, all that does not depend on the novel camera. */
+  vtkPolyData* Hull()
+  {
+    if (!this->Load())
+    {
+      this->RunHull();
+    }
+    return this->Kept ? this->Kept->Hull.Get() : this->Filters.HullSource->GetOutput();
+  }
+
+  vtkPolyData* Crust()
+  {
+    if (!this->Load())
+    {
+      this->RunCrust();
+    }
+    return this->Kept ? this->Kept->Crust.Get() : this->Filters.Mesher->GetOutput();
+  }
+
+  vtkPolyData* MedialBalls()
+  {
+    this->Crust();
+    return this->Kept ? this->Kept->MedialBalls.Get()
+                      : vtkPolyData::SafeDownCast(this->Filters.Mesher->GetOutputDataObject(1));
+  }
+
+  vtkMultiBlockDataSet* Photographs()
+  {
+    this->Prepare();
+    if (this->Kept)
+    {
+      return this->Kept->Views;
+    }
+    // Without depth maps nothing has asked for them yet.
+    vtkAlgorithm* source = this->Filters.Mapper->GetInputAlgorithm(1, 0);
+    source->Update();
+    return vtkMultiBlockDataSet::SafeDownCast(source->GetOutputDataObject(0));
+  }
+
+  /** With `all`, every stage is textured; otherwise only the last. */
+  std::vector<NovelView> Render(const Camera& camera, Stage upTo, bool all)
+  {
+    this->Filters.SetCamera(camera);
+    this->Prepare();
+    this->Run("culling", this->Filters.Culler);
+    this->Filters.Mapper->SetInputConnection(2, this->Filters.Culler->GetOutputPort(1));
+    std::vector<NovelView> views;
+    const auto add = [&](vtkPolyDataAlgorithm* filter, Stage stage)
+    {
+      if (all || stage == upTo)
+      {
+        NovelView& view = views.emplace_back();
+        view.Mesh = vtkSmartPointer<vtkPolyData>::New();
+        view.Mesh->ShallowCopy(filter->GetOutput());
+        view.Image = this->Textured(view.Mesh, "texture");
+        RequireObject(view.Image);
+      }
+    };
+    add(this->Filters.Culler, Stage::Hull);
+    if (upTo != Stage::Hull)
+    {
+      this->RunDeformer("outline", this->Filters.Outline, Stage::Outline);
+      add(this->Filters.Outline, Stage::Outline);
+    }
+    if (upTo == Stage::Full)
+    {
+      this->RunDeformer("non-outline", this->Filters.NonOutline, Stage::Full);
+      add(this->Filters.NonOutline, Stage::Full);
+    }
+    return views;
+  }
+
+  vtkSmartPointer<vtkImageData> Texture(vtkPolyData* mesh, const Camera& camera)
+  {
+    this->Filters.Mapper->SetCamera(NewPinholeCamera(camera));
+    this->Filters.Mapper->RemoveAllInputConnections(2);
+    return this->Textured(mesh, "texture");
+  }
+
+private:
+  /** Runs every stage before the novel camera, or takes what they made from the cache. */
+  void Prepare()
+  {
+    if (this->Load())
+    {
+      return;
+    }
+    this->Options.UseDepthMaps ? this->RunCrustAndDepths() : this->RunCrust();
+    if (!this->Cache || this->Stored)
+    {
+      return;
+    }
+    this->Stored = true;
+    try
+    {
+      this->Cache->Store(this->Results());
+    }
+    catch (const Interrupted&)
+    {
+      throw;
+    }
+    catch (const std::exception& error)
+    {
+      this->WarnOfCache(ErrorText(error) + "; nothing is kept");
+    }
+  }
+
+  /** Whether the cache has it all; looks there once. */
+  bool Load()
+  {
+    if (!this->Kept && this->Cache && !this->Looked)
+    {
+      this->Looked = true;
+      if (this->Listener.Progress)
+      {
+        this->Listener.Progress("cache", 0);
+      }
+      this->Kept = this->Cache->Load();
+      if (!this->Cache->Damage().empty())
+      {
+        this->WarnOfCache(this->Cache->Damage() + "; computed again");
+      }
+      if (this->Kept)
+      {
+        this->UseKept();
+      }
+    }
+    return this->Kept.has_value();
+  }
+
+  void UseKept()
+  {
+    this->Filters.Culler->SetInputData(this->Kept->Crust);
+    for (vtkAlgorithm* filter : this->ViewUsers())
+    {
+      filter->SetInputDataObject(1, this->Kept->Views);
+    }
+    for (const std::string& warning : std::vector<std::string>(this->Kept->Warnings))
+    {
+      this->Warn(warning);
+    }
+  }
+
+  ViewIndependent Results()
+  {
+    ViewIndependent results;
+    results.Hull = this->Filters.HullSource->GetOutput();
+    results.Crust = this->Filters.Mesher->GetOutput();
+    results.MedialBalls = vtkPolyData::SafeDownCast(this->Filters.Mesher->GetOutputDataObject(1));
+    results.Views = vtkMultiBlockDataSet::SafeDownCast(
+      this->Filters.Mapper->GetInputAlgorithm(1, 0)->GetOutputDataObject(0));
+    results.Warnings = this->Warnings;
+    return results;
+  }
+
+  /** The filters whose second input is the photographs. */
+  std::array<vtkAlgorithm*, 3> ViewUsers()
+  {
+    return { this->Filters.Outline, this->Filters.NonOutline, this->Filters.Mapper };
+  }
+
+  void Warn(const std::string& text)
+  {
+    this->Warnings.push_back(text);
+    if (this->Listener.Warn)
+    {
+      this->Listener.Warn(text);
+    }
+  }
+
+  /**
+   * Tells what is wrong with the cache, which no run needs: once, since an entry that cannot be read
+   * often cannot be written either, and none of the warnings that are kept.
+   */
+  void WarnOfCache(const std::string& text)
+  {
+    if (!this->ToldOfCache && this->Listener.Warn)
+    {
+      this->Listener.Warn("cache: " + text);
+    }
+    this->ToldOfCache = true;
+  }
+
+  void RunHull()
+  {
+    if (this->Options.ReconcileSilhouettes)
+    {
+      this->Run("silhouettes", this->Filters.Reconciler);
+      this->WarnOfOffsets();
+    }
+    this->Run("visual hull", this->Filters.HullSource);
+    vtkPolyData* hull = this->Filters.HullSource->GetOutput();
+    if (hull->GetMTime() > this->HullOfCrust->GetMTime())
+    {
+      // By hand, since pipelines that run at the same time must have no filter in common.
+      this->HullOfCrust->ShallowCopy(hull);
+      this->Filters.Mesher->SetInputData(this->HullOfCrust);
+    }
+    if (const int dropped = this->Filters.HullSource->GetNumberOfDroppedComponents();
+        dropped > 0 && !this->ToldOfDropped)
+    {
+      this->ToldOfDropped = true;
+      this->Warn("visual hull: " + std::to_string(dropped) + " smaller component(s) with " +
+        std::to_string(this->Filters.HullSource->GetNumberOfDroppedSamples()) +
+        " samples left out; all are kept with the option for it");
+    }
+  }
+
+  void RunCrust()
+  {
+    this->RunHull();
+    this->Run("power crust", this->Filters.Mesher);
+  }
+
+  /** Neither needs the other, and the crust keeps few threads busy. */
+  void RunCrustAndDepths()
+  {
+    this->RunHull();
+    const double saved = RunStagesTogether({ "depth maps", this->Filters.DepthEstimator },
+      { "power crust", this->Filters.Mesher }, this->Listener.Progress, this->Listener.StageDone);
+    if (this->Listener.StagesOverlapped && saved > 0)
+    {
+      this->Listener.StagesOverlapped(saved);
+    }
+  }
+
+  /** Tells once of every silhouette that was enlarged. */
+  void WarnOfOffsets()
+  {
+    if (this->ToldOfOffsets)
+    {
+      return;
+    }
+    this->ToldOfOffsets = true;
+    vtkMultiBlockDataSet* views = this->Filters.Reconciler->GetOutput();
+    std::vector<double> offsets;
+    for (unsigned int viewId = 0; viewId < views->GetNumberOfBlocks(); ++viewId)
+    {
+      offsets.push_back(AttachedNumber(ViewImage(views, viewId), arrays::ContourOffset, 0));
+    }
+    const double common = *std::min_element(offsets.begin(), offsets.end());
+    if (common > 0)
+    {
+      this->Warn(
+        "silhouettes and cameras disagree; every silhouette is enlarged by " + Pixels(common));
+    }
+    for (unsigned int viewId = 0; viewId < offsets.size(); ++viewId)
+    {
+      if (offsets[viewId] > common)
+      {
+        this->Warn("silhouette of " + ViewName(views, viewId) + ": " +
+          Pixels(offsets[viewId] - common) + " smaller than the others allow; enlarged by that");
+      }
+    }
+  }
+
+  void Run(const std::string& stage, vtkAlgorithm* filter)
+  {
+    RunStage(stage, filter, this->Listener.Progress, this->Listener.StageDone);
+  }
+
+  vtkSmartPointer<vtkImageData> Textured(vtkPolyData* mesh, const char* stage)
+  {
+    this->Filters.Mapper->SetInputData(0, mesh);
+    // Pictures taken between iterations are part of their stage, and not told of.
+    stage ? this->Run(stage, this->Filters.Mapper) : RunStage("texture", this->Filters.Mapper);
+    auto image = vtkSmartPointer<vtkImageData>::New();
+    image->ShallowCopy(this->Filters.Mapper->GetOutput());
+    return image;
+  }
+
+  void RunDeformer(const std::string& stage, vtkViewDeformer* filter, Stage step)
+  {
+    vtkNew<vtkCallbackCommand> command;
+    struct Context
+    {
+      Internals* Self;
+      Stage Step;
+    } context{ this, step };
+    command->SetClientData(&context);
+    command->SetCallback(
+      [](vtkObject* caller, unsigned long, void* data, void*)
+      {
+        auto* heard = static_cast<Context*>(data);
+        heard->Self->TellIteration(static_cast<vtkViewDeformer*>(caller), heard->Step);
+      });
+    if (this->Listener.Iteration)
+    {
+      filter->AddObserver(vtkViewDeformer::IterationEvent, command);
+      filter->Modified(); // observers do not count as a change, but this run must be watched
+    }
+    try
+    {
+      this->Run(stage, filter);
+    }
+    catch (...)
+    {
+      filter->RemoveObserver(command);
+      throw;
+    }
+    filter->RemoveObserver(command);
+  }
+
+  void TellIteration(vtkViewDeformer* filter, Stage step)
+  {
+    const auto image = this->Textured(filter->GetCurrentMesh(), nullptr);
+    IterationState state;
+    state.Step = step;
+    state.Iteration = filter->GetIteration();
+    state.MeanEnergy = filter->GetMeanEnergy();
+    state.MeanPhoto = filter->GetMeanPhotoEnergy();
+    state.MeanContour = filter->GetMeanContourEnergy();
+    state.MeanSmooth = filter->GetMeanSmoothEnergy();
+    state.PointsMoved = static_cast<long>(filter->GetPointsMoved());
+    state.Mesh = filter->GetCurrentMesh();
+    state.Image = image;
+    this->Listener.Iteration(state);
+  }
+
+  const SynthesisOptions Options;
+  const SynthesisListener Listener;
+  SynthesisStages Filters;
+  std::optional<StageCache> Cache;
+  std::optional<ViewIndependent> Kept; ///< what the cache had
+  vtkNew<vtkPolyData> HullOfCrust;     ///< the Mesher's input
+  bool Looked = false;
+  bool Stored = false;
+  std::vector<std::string> Warnings;
+  bool ToldOfCache = false;
+  bool ToldOfDropped = false;
+  bool ToldOfOffsets = false;
+};
+
+Synthesis::Synthesis(
+  vtkMultiBlockDataSet* views, const SynthesisOptions& options, SynthesisListener listener)
+  : Own(std::make_unique<Internals>(views, options, std::move(listener)))
+{
+}
+
+Synthesis::Synthesis(
+  const ViewIndependent& prepared, const SynthesisOptions& options, SynthesisListener listener)
+  : Own(std::make_unique<Internals>(prepared, options, std::move(listener)))
+{
+}
+
+Synthesis::~Synthesis() = default;
+
+ViewIndependent Synthesis::Prepared()
+{
+  return this->Own->Prepared();
+}
+
+vtkPolyData* Synthesis::Hull()
+{
+  return this->Own->Hull();
+}
+
+vtkPolyData* Synthesis::Crust()
+{
+  return this->Own->Crust();
+}
+
+vtkPolyData* Synthesis::MedialBalls()
+{
+  return this->Own->MedialBalls();
+}
+
+vtkMultiBlockDataSet* Synthesis::Photographs()
+{
+  return this->Own->Photographs();
+}
+
+NovelView Synthesis::Render(const Camera& camera, Stage upTo)
+{
+  return this->Own->Render(camera, upTo, false).back();
+}
+
+std::vector<NovelView> Synthesis::RenderStages(const Camera& camera, Stage upTo)
+{
+  return this->Own->Render(camera, upTo, true);
+}
+
+vtkSmartPointer<vtkImageData> Synthesis::Texture(vtkPolyData* mesh, const Camera& camera)
+{
+  return this->Own->Texture(mesh, camera);
+}
+}

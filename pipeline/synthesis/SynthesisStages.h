@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef novelview_SynthesisStages_h
+#define novelview_SynthesisStages_h
+
+#include "geometry/Camera.h"
+#include "synthesis/Synthesis.h"
+#include "vtkNonOutlineDeformer.h"
+#include "vtkOutlineDeformer.h"
+#include "vtkPowerCrustMesher.h"
+#include "vtkReferenceDepthEstimator.h"
+#include "vtkSilhouetteReconciler.h"
+#include "vtkViewDependentTextureMapper.h"
+#include "vtkVisibilityCuller.h"
+#include "vtkVisualHullSource.h"
+
+#include <vtkNew.h>
+#include <vtkTrivialProducer.h>
+
+class vtkAlgorithmOutput;
+
+namespace novelview
+{
+/**
+ * The filters of the method, set and connected as the options say; none has run. The texture mapper
+ * lacks its mesh (port 0), and the occluders of port 2: which mesh is textured is the caller's
+ * choice.
+ */
+struct SynthesisStages
+{
+  SynthesisStages(vtkMultiBlockDataSet* views, const SynthesisOptions& options);
+
+  /** The novel camera, for every filter that depends on it. */
+  void SetCamera(const Camera& camera);
+
+  vtkNew<vtkTrivialProducer> Views;
+  vtkNew<vtkSilhouetteReconciler> Reconciler;
+  vtkNew<vtkVisualHullSource> HullSource;
+  vtkNew<vtkPowerCrustMesher> Mesher;
+  vtkNew<vtkReferenceDepthEstimator> DepthEstimator;
+  vtkNew<vtkVisibilityCuller> Culler;
+  vtkNew<vtkOutlineDeformer> Outline;
+  vtkNew<vtkNonOutlineDeformer> NonOutline;
+  vtkNew<vtkViewDependentTextureMapper> Mapper;
+
+private:
+  void ConnectViews(vtkAlgorithmOutput* silhouettes, bool useDepthMaps);
+  void SetHullOptions(const SynthesisOptions& options);
+  void SetDeformerOptions(const SynthesisOptions& options);
+  void SetMapperOptions(const SynthesisOptions& options);
+};
+}
+
+#endif

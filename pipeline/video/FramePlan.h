@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef novelview_FramePlan_h
+#define novelview_FramePlan_h
+
+#include "dataset/Dataset.h"
+#include "geometry/Camera.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace novelview
+{
+/** Where the camera of a video goes. */
+struct TrajectoryOptions
+{
+  std::filesystem::path Path; ///< file of key cameras; empty = round the cameras' ring
+  int Frames = 0;             ///< 0 = what the path says, else 72
+  double Fps = 24;            ///< frames per second
+};
+
+/**
+ * The cameras of the frames of a film, as `novelview orbit` makes them.
+ *
+ * Without options.Path: once round the ring that the data set's cameras are on (FitCameraRing), but
+ * for photographs in `exclude`, from the first camera towards the second, without coming back to the first frame. Cameras on no
+ * ring are a UsageError that names --path.
+ *
+ * With options.Path: a JSON file, in the project's convention (Camera.h), with
+ *
+ *     "keys"    two or more key cameras, in order; each is one of
+ *                 { "camera": NAME or number from 0 }         of the data set
+ *                 { "K": [9], "R": [9], "t": [3] }            row by row, flat or nested
+ *                 { "position": [3], "lookAt": [3], "up": [3] }  up: the cameras' mean if not given
+ *               and may have "K" or "fieldOfView" (vertical, degrees); else K is that of the
+ *               camera, or of the data set's first
+ *               and "frame" (whole number) or "time" (seconds): all keys the same of the two, or
+ *               none: then they are evenly spread
+ *     "closed"  true: the film goes back to the first key and can be played round and round
+ *     "size"    "640x480"; that of the data set's first photograph when not given
+ *
+ * The number of frames is options.Frames; when that is 0, what the keys' frames or times (at
+ * options.Fps) say, and 72 otherwise. Throws UsageError, naming the file and the key.
+ */
+std::vector<Camera> CamerasOfFrames(const TrajectoryOptions& options, const DatasetIndex& dataset,
+  const std::vector<std::string>& exclude = {});
+}
+
+#endif

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "deformation/FieldDeformation.h"
+#include "geometry/NovelProjection.h"
+#include "geometry/ViewSelection.h"
+#include "geometry/Visibility.h"
+#include "support/DentCase.h"
+#include "support/Expect.h"
+#include "support/Scene.h"
+
+using namespace novelview;
+using namespace support;
+
+TEST(FieldDeformation, WithTrueDepthMapsTheDentIsFound)
+{
+  const DentCase& dent = TheDent();
+  const auto result = DeformNonOutlineByField(dent.Mesh, dent.Visible, dent.Views, dent.Novel);
+  double off = 0;
+  double offBefore = 0;
+  int count = 0;
+  for (std::size_t ptId = 0; ptId < dent.Mesh.Points.size(); ++ptId)
+  {
+    if (dent.Visible[ptId] && (dent.Mesh.Points[ptId] - Bite).norm() < 0.25)
+    {
+      off += std::abs(dent.Truth(result.Mesh.Points[ptId]));
+      offBefore += std::abs(dent.Truth(dent.Mesh.Points[ptId]));
+      ++count;
+    }
+  }
+  ASSERT_GT(count, 20);
+  // The truncation of five footprints and the prior leave a bias of about one, smoothing another.
+  EXPECT_LT(off / count, 2.5 * MedianFootprint(dent.Views, Vector3d::Zero()));
+  EXPECT_LT(off, 0.35 * offBefore);
+}
+
+TEST(FieldDeformation, OtherPointsStayOnTheirRays)
+{
+  const DentCase& dent = TheDent();
+  const auto result = DeformNonOutlineByField(dent.Mesh, dent.Visible, dent.Views, dent.Novel);
+  const Vector3d centre = dent.Novel.Centre();
+  const double millionth = 1e-6 * BoundingDiagonal(dent.Mesh.Points);
+  for (std::size_t ptId = 0; ptId < dent.Mesh.Points.size(); ++ptId)
+  {
+    const Vector3d& before = dent.Mesh.Points[ptId];
+    const Vector3d& after = result.Mesh.Points[ptId];
+    EXPECT_LT((before - centre).normalized().cross(after - centre).norm(), millionth);
+    EXPECT_TRUE(dent.Visible[ptId] || before == after);
+  }
+}
+
+TEST(FieldDeformation, OutlinePointsKeepTheirDepthAndNoTriangleFlips)
+{
+  const DentCase& dent = TheDent();
+  const auto result = DeformOutlineByField(dent.Mesh, dent.Visible, dent.Views, dent.Novel);
+  const double millionth = 1e-6 * BoundingDiagonal(dent.Mesh.Points);
+  int moved = 0;
+  for (std::size_t ptId = 0; ptId < dent.Mesh.Points.size(); ++ptId)
+  {
+    moved += result.Mesh.Points[ptId] != dent.Mesh.Points[ptId];
+    EXPECT_NEAR(dent.Novel.Depth(result.Mesh.Points[ptId]),
+      dent.Novel.Depth(dent.Mesh.Points[ptId]), millionth);
+  }
+  EXPECT_GT(moved, 20);
+  ASSERT_GT(result.Mesh.Triangles.size(), 100u);
+  for (const Eigen::Vector3i& t : result.Mesh.Triangles)
+  {
+    // Square pixels; rounding of accumulated moves.
+    EXPECT_LT(
+      ProjectedArea(dent.Novel.Project(result.Mesh.Points[t[0]]),
+        dent.Novel.Project(result.Mesh.Points[t[1]]), dent.Novel.Project(result.Mesh.Points[t[2]])),
+      1e-9);
+  }
+}
+
+TEST(FieldDeformation, TheFusedSilhouetteIsThatOfTheObject)
+{
+  const DentCase& dent = TheDent();
+  const double footprint = MedianFootprint(dent.Views, Vector3d::Zero());
+  const FusedField field(dent.Views, {}, footprint);
+  const auto silhouette = FusedSilhouette(dent.Mesh, dent.Views, field, dent.Novel, footprint);
+  const Photo truth = Take(Traced(dent.Truth, 0.6), Plain(1, 1, 1), dent.Novel, "novel");
+  int wrong = 0;
+  for (int y = 0; y < 120; ++y)
+  {
+    for (int x = 0; x < 160; ++x)
+    {
+      // Two pixels either side of the true contour are for the truncation to blur.
+      if (std::abs(truth.ContourDistance(x, y)) > 2)
+      {
+        wrong += (silhouette(x, y) > 0) != (truth.ContourDistance(x, y) > 0);
+      }
+    }
+  }
+  EXPECT_EQ(wrong, 0);
+}
+
+TEST(FieldDeformation, ViewsWithoutMapsAreNamed)
+{
+  const DentCase& dent = TheDent();
+  auto views = dent.Views;
+  views[3].DepthMap = {};
+  ExpectError([&] { DeformOutlineByField(dent.Mesh, dent.Visible, views, dent.Novel); },
+    "view p3: point array Depth or Confidence is missing");
+  ExpectError([&] { DeformNonOutlineByField(dent.Mesh, dent.Visible, views, dent.Novel); },
+    "view p3: point array Depth or Confidence is missing");
+}
+
+TEST(FieldDeformation, TheListenerHearsEveryIterationOnceAndTheStart)
+{
+  const DentCase& dent = TheDent();
+  FieldDeformationOptions options;
+  options.Iterations = 3;
+  std::vector<int> heard;
+  const auto listener = [&](const DeformationState& state) { heard.push_back(state.Iteration); };
+  DeformOutlineByField(dent.Mesh, dent.Visible, dent.Views, dent.Novel, options, listener);
+  EXPECT_EQ(heard, (std::vector<int>{ 0, 1, 2, 3 }));
+  heard.clear();
+  DeformNonOutlineByField(dent.Mesh, dent.Visible, dent.Views, dent.Novel, options, listener);
+  EXPECT_EQ(heard, (std::vector<int>{ 0, 1, 2, 3 }));
+}
+
+TEST(FieldDeformation, SameBitsWithOneAndMoreThreads)
+{
+  const DentCase& dent = TheDent();
+  const auto one = DeformOutlineByField(dent.Mesh, dent.Visible, dent.Views, dent.Novel);
+  const auto three =
+    DeformOutlineByField(dent.Mesh, dent.Visible, dent.Views, dent.Novel, {}, {}, InThreads(3));
+  EXPECT_EQ(one.Mesh.Points, three.Mesh.Points);
+  EXPECT_EQ(one.Mesh.Triangles, three.Mesh.Triangles);
+  EXPECT_EQ(DeformNonOutlineByField(dent.Mesh, dent.Visible, dent.Views, dent.Novel).Mesh.Points,
+    DeformNonOutlineByField(dent.Mesh, dent.Visible, dent.Views, dent.Novel, {}, {}, InThreads(3))
+      .Mesh.Points);
+}
+
+namespace
+{
+/** The numbers of FieldDeformationOptions that grow with the maps' noise. */
+std::vector<double> Growing(double noise)
+{
+  const FieldDeformationOptions options = OptionsForNoise(noise);
+  return { options.Surface.TruncationPx, options.Surface.SurfacePrior, options.Outline.TruncationPx,
+    options.Silhouette.SmoothingPx };
+}
+}
+
+TEST(FieldDeformation, OptionsGrowWithTheNoiseBetweenTheirLimits)
+{
+  EXPECT_EQ(Growing(0), (std::vector<double>{ 3, 0.05, 2, 0 })) << "as sharp as pixels allow";
+  EXPECT_EQ(Growing(100), (std::vector<double>{ 6, 0.3, 5, 1 }));
+  std::vector<double> before = Growing(0);
+  for (double noise = 0.05; noise < 2; noise += 0.05)
+  {
+    const std::vector<double> now = Growing(noise);
+    for (std::size_t i = 0; i < now.size(); ++i)
+    {
+      EXPECT_GE(now[i], before[i]) << "option " << i << " at noise " << noise;
+    }
+    before = now;
+  }
+  EXPECT_EQ(before, Growing(100)) << "all limits are reached";
+}
+
+TEST(FieldDeformation, OptionsForSharpMapsAreTheDefaults)
+{
+  const FieldDeformationOptions sharp = OptionsForNoise(0);
+  const FieldDeformationOptions plain;
+  EXPECT_EQ(sharp.Surface.TruncationPx, plain.Surface.TruncationPx);
+  EXPECT_EQ(sharp.Surface.SurfacePrior, plain.Surface.SurfacePrior);
+  EXPECT_EQ(sharp.Outline.TruncationPx, plain.Outline.TruncationPx);
+  EXPECT_EQ(sharp.Outline.SilhouettePrior, plain.Outline.SilhouettePrior);
+  EXPECT_EQ(sharp.Silhouette.SmoothingPx, plain.Silhouette.SmoothingPx);
+  EXPECT_EQ(sharp.Silhouette.PredictionWeight, plain.Silhouette.PredictionWeight);
+}

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef novelview_Execution_h
+#define novelview_Execution_h
+
+#include "core/Error.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <thread>
+
+namespace novelview
+{
+/**
+ * How a kernel runs: who spreads its loops over threads, and who hears of its progress.
+ *
+ * Kernels know no VTK, so the filters hand them `vtkSMPTools::For` here; the default runs in the
+ * calling thread. Determinism rule: the body writes only to slots that belong to its own indices
+ * and reads nothing that another index writes, so the bits do not depend on the split.
+ *
+ * It is asked often whether to stop: by ForEach() between the calls of its body, and by Tick(),
+ * which everything calls on its way that takes a tenth of a second or more.
+ */
+class Execution
+{
+  using Clock = std::chrono::steady_clock;
+
+public:
+  /** Called with [begin, end) parts that together cover [0, count) exactly once. */
+  using RangeBody = std::function<void(std::int64_t begin, std::int64_t end)>;
+
+  std::function<void(std::int64_t count, const RangeBody& body)> ParallelFor =
+    [](std::int64_t count, const RangeBody& body)
+  {
+    if (count > 0)
+    {
+      body(0, count);
+    }
+  };
+
+  /**
+   * Hears the fraction done, 0 to 1; returns false to ask for a stop. Called only in the thread
+   * that made this Execution.
+   */
+  std::function<bool(double fraction)> Progress = [](double) { return true; };
+
+  /** Whether to stop; any thread may ask, at any time. */
+  std::function<bool()> StopRequested = [] { return false; };
+
+  /** Reports progress, and throws Interrupted when the listener asks to stop. Main thread only. */
+  void Report(double fraction) const
+  {
+    this->Pulse->Fraction = fraction;
+    this->Ask();
+  }
+
+  /** Throws Interrupted when somebody asks to stop. Costs some 50 ns; any thread. */
+  void Tick() const
+  {
+    if (this->Pulse->Stopping || this->StopRequested())
+    {
+      throw Interrupted();
+    }
+    if (std::this_thread::get_id() == this->Pulse->Main &&
+      Clock::now() - this->Pulse->Asked > std::chrono::milliseconds(50))
+    {
+      this->Ask();
+    }
+  }
+
+  /** Calls body(i) for every i in [0, count), in parallel. Throws Interrupted as Tick() does. */
+  template <class Body>
+  void ForEach(std::int64_t count, const Body& body) const
+  {
+    struct Nothing
+    {
+    };
+    this->ForEachWith(
+      count, [] { return Nothing(); }, [&body](Nothing&, std::int64_t i) { body(i); });
+  }
+
+  /**
+   * Calls body(scratch, i); scratch is what make() returns, once for every part of the loop, so that
+   * the bodies need not allocate.
+   */
+  template <class Make, class Body>
+  void ForEachWith(std::int64_t count, const Make& make, const Body& body) const
+  {
+    this->ParallelFor(count,
+      [&](std::int64_t begin, std::int64_t end)
+      {
+        // Whoever spreads the loop need not stand exceptions.
+        try
+        {
+          auto scratch = make();
+          Pace pace;
+          for (std::int64_t i = begin; i < end; ++i)
+          {
+            if (pace.Due())
+            {
+              this->Tick();
+            }
+            body(scratch, i);
+          }
+        }
+        catch (const Interrupted&)
+        {
+          this->Pulse->Stopping = true;
+        }
+      });
+    this->Tick();
+  }
+
+private:
+  void Ask() const
+  {
+    this->Pulse->Asked = Clock::now();
+    if (!this->Progress(this->Pulse->Fraction))
+    {
+      this->Pulse->Stopping = true;
+      throw Interrupted();
+    }
+  }
+
+  struct PulseState
+  {
+    const std::thread::id Main = std::this_thread::get_id();
+    std::atomic<bool> Stopping = false;
+    double Fraction = 0;
+    Clock::time_point Asked = Clock::now();
+  };
+
+  /** Tells a loop every few milliseconds that some have gone, and seldom looks at the clock. */
+  class Pace
+  {
+  public:
+    bool Due()
+    {
+      if (--this->Left > 0)
+      {
+        return false;
+      }
+      const Clock::time_point now = Clock::now();
+      const bool soon = now - this->Looked < std::chrono::milliseconds(3);
+      this->Stride = soon ? 2 * this->Stride : std::max(this->Stride / 4, 1);
+      this->Left = this->Stride;
+      this->Looked = now;
+      return true;
+    }
+
+  private:
+    Clock::time_point Looked = Clock::now();
+    int Stride = 1;
+    int Left = 1;
+  };
+
+  std::shared_ptr<PulseState> Pulse = std::make_shared<PulseState>();
+};
+}
+
+#endif

@@ -1,0 +1,430 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fusion/FusedField.h"
+
+#include "core/CpuClones.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace novelview
+{
+using Eigen::Vector3d;
+
+namespace
+{
+/** Extends a box by the surface that a view's depth map shows, every fourth pixel. */
+void ExtendByMap(const View& view, Eigen::AlignedBox3d& box)
+{
+  constexpr int every = 4;
+  for (int y = 0; y < view.DepthMap.Height; y += every)
+  {
+    for (int x = 0; x < view.DepthMap.Width; x += every)
+    {
+      if (view.DepthMap(x, y) > 0)
+      {
+        box.extend(view.Cam.Unproject(Eigen::Vector2d(x, y), view.DepthMap(x, y)));
+      }
+    }
+  }
+}
+
+/** Value at the middle of the parabola fitted to five evenly spaced values, the ends repeated. */
+double ParabolaAt(const std::vector<double>& values, int k)
+{
+  const int last = static_cast<int>(values.size()) - 1;
+  const auto at = [&](int i) { return values[std::clamp(i, 0, last)]; };
+  return (17 * at(k) + 12 * (at(k - 1) + at(k + 1)) - 3 * (at(k - 2) + at(k + 2))) / 35;
+}
+
+/**
+ * The numbers of a Ray, an array over all views each: homogeneous coordinates of its origin and of
+ * its direction, and where the views see a point of it.
+ */
+struct RayArrays
+{
+  const double *OriginX, *OriginY, *OriginZ;
+  const double *DirectionX, *DirectionY, *DirectionZ;
+  double *X, *Y, *Z;
+  int *Column, *Row;
+};
+
+/** Projects the point at parameter t. Column and row are -1 before the first or behind a camera. */
+NOVELVIEW_CLONES void ProjectPoint(const RayArrays& ray, double t, int count)
+{
+  constexpr double most = 1 << 24; // beyond every frame
+  for (int i = 0; i < count; ++i)
+  {
+    const double z = ray.OriginZ[i] + t * ray.DirectionZ[i];
+    const double x = (ray.OriginX[i] + t * ray.DirectionX[i]) / z;
+    const double y = (ray.OriginY[i] + t * ray.DirectionY[i]) / z;
+    ray.X[i] = x;
+    ray.Y[i] = y;
+    ray.Z[i] = z;
+    // Rounded to the nearest; nothing below 0 comes before the conversion, which cuts off.
+    const double column = z > 0 && x > -1 ? std::min(x, most) + 1.5 : 0;
+    const double row = z > 0 && y > -1 ? std::min(y, most) + 1.5 : 0;
+    ray.Column[i] = static_cast<int>(column) - 1;
+    ray.Row[i] = static_cast<int>(row) - 1;
+  }
+}
+}
+
+/** A ray through the field, and where the views see one of its points. */
+class FusedField::Ray
+{
+public:
+  Ray(const std::vector<Voter>& voters, const Vector3d& origin, const Vector3d& direction)
+    : Count(static_cast<int>(voters.size()))
+    , Numbers(9 * voters.size())
+    , Pixels(2 * voters.size())
+  {
+    for (int i = 0; i < this->Count; ++i)
+    {
+      const Vector3d o = voters[i].P.leftCols<3>() * origin + voters[i].P.col(3);
+      const Vector3d d = voters[i].P.leftCols<3>() * direction;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        this->Array(axis)[i] = o[axis];
+        this->Array(3 + axis)[i] = d[axis];
+      }
+    }
+  }
+
+  void MoveTo(double t)
+  {
+    ProjectPoint({ this->Array(0), this->Array(1), this->Array(2), this->Array(3), this->Array(4),
+                   this->Array(5), this->Array(6), this->Array(7), this->Array(8),
+                   this->Pixels.data(), this->Pixels.data() + this->Count },
+      t, this->Count);
+  }
+
+  /** Where view i sees the point; false when it is behind the camera or outside the frame. */
+  bool See(int i, const Voter& voter, Sight& sight) const
+  {
+    sight.Column = this->Pixels[i];
+    sight.Row = this->Pixels[this->Count + i];
+    sight.X = this->Numbers[6 * this->Count + i];
+    sight.Y = this->Numbers[7 * this->Count + i];
+    sight.Depth = this->Numbers[8 * this->Count + i];
+    return voter.ContourDistance.Contains(sight.Column, sight.Row);
+  }
+
+private:
+  double* Array(int i)
+  {
+    return this->Numbers.data() + static_cast<std::ptrdiff_t>(i) * this->Count;
+  }
+
+  int Count;
+  std::vector<double> Numbers;
+  std::vector<int> Pixels;
+};
+
+FusedField::FusedField(
+  const std::vector<View>& views, const FusionOptions& options, double footprint)
+  : Options(options)
+  , Tau(options.TruncationPx * footprint)
+  , Footprint(footprint)
+{
+  for (const View& view : views)
+  {
+    Voter voter;
+    voter.P.leftCols<3>() = view.Cam.K * view.Cam.R;
+    voter.P.col(3) = view.Cam.K * view.Cam.T;
+    voter.ContourDistance = view.ContourDistance;
+    voter.DepthMap = view.DepthMap;
+    voter.Confidence = view.Confidence;
+    voter.Cam = &view.Cam;
+    this->Voters.push_back(voter);
+    ExtendByMap(view, this->Bounds);
+  }
+  if (!this->Bounds.isEmpty())
+  {
+    const Vector3d margin = Vector3d::Constant(this->Tau + 4 * footprint);
+    this->Bounds = { this->Bounds.min() - margin, this->Bounds.max() + margin };
+  }
+}
+
+FusedField FusedField::Of(const std::vector<int>& views) const
+{
+  FusedField part = *this;
+  part.Voters.clear();
+  for (const int view : views)
+  {
+    part.Voters.push_back(this->Voters[view]);
+  }
+  return part;
+}
+
+void FusedField::ClipToBounds(
+  const Vector3d& origin, const Vector3d& direction, double& from, double& to) const
+{
+  for (int axis = 0; axis < 3 && !this->Bounds.isEmpty(); ++axis)
+  {
+    if (direction[axis] != 0)
+    {
+      const double a = (this->Bounds.min()[axis] - origin[axis]) / direction[axis];
+      const double b = (this->Bounds.max()[axis] - origin[axis]) / direction[axis];
+      from = std::max(from, std::min(a, b));
+      to = std::min(to, std::max(a, b));
+    }
+    else if (origin[axis] < this->Bounds.min()[axis] || origin[axis] > this->Bounds.max()[axis])
+    {
+      to = -std::numeric_limits<double>::infinity();
+    }
+  }
+}
+
+double FusedField::Voter::Incidence(int x, int y) const
+{
+  constexpr int reach = 3;
+  const ImageRef<const float>& map = this->DepthMap;
+  const double depth = map(x, y);
+  // The less steep side: the other may lie across an edge.
+  const auto slope = [&](int dx, int dy)
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for (const int side : { -reach, reach })
+    {
+      const int i = x + side * dx;
+      const int j = y + side * dy;
+      if (map.Contains(i, j) && map(i, j) > 0)
+      {
+        least = std::min(least, std::abs(map(i, j) - depth) / reach);
+      }
+    }
+    return std::isfinite(least) ? least / this->Cam->PixelFootprint(depth) : 0.0;
+  };
+  const double across = slope(1, 0);
+  const double down = slope(0, 1);
+  return 1 / std::sqrt(1 + across * across + down * down);
+}
+
+void FusedField::Voter::AddVote(
+  const Sight& sight, double tau, double grazing, double& f, double& w) const
+{
+  const double depth = this->DepthMap(sight.Column, sight.Row);
+  const double s = depth - sight.Depth;
+  if (depth > 0 && s >= -tau)
+  {
+    double confidence = this->Confidence(sight.Column, sight.Row);
+    if (grazing > 0)
+    {
+      const double unsure = 1 - confidence;
+      confidence *=
+        1 - grazing * unsure * unsure * unsure * (1 - this->Incidence(sight.Column, sight.Row));
+    }
+    f += confidence * std::min(1.0, s / tau);
+    w += confidence;
+  }
+}
+
+bool FusedField::Vote(const Vector3d& x, double& f, double& w) const
+{
+  Ray ray(this->Voters, x, Vector3d::Zero());
+  ray.MoveTo(0);
+  return this->Vote(ray, f, w);
+}
+
+bool FusedField::Vote(const Ray& ray, double& f, double& w) const
+{
+  f = 0;
+  w = 0;
+  Sight sight;
+  for (int i = 0; i < static_cast<int>(this->Voters.size()); ++i)
+  {
+    const Voter& voter = this->Voters[i];
+    if (!ray.See(i, voter, sight))
+    {
+      continue;
+    }
+    const ImageRef<const float>& contour = voter.ContourDistance;
+    if (contour(sight.Column, sight.Row) < 0 && SampleBilinear(contour, sight.X, sight.Y) < 0)
+    {
+      return false;
+    }
+    voter.AddVote(sight, this->Tau, 0, f, w);
+  }
+  return true;
+}
+
+double FusedField::Value(const Ray& ray) const
+{
+  double f;
+  double w;
+  const double w0 = this->Options.SurfacePrior;
+  return this->Vote(ray, f, w) ? (f - w0) / (w + w0) : 1.0;
+}
+
+FusedField::RayResult FusedField::Walk(
+  const Vector3d& origin, const Vector3d& direction, double from, double to, double step) const
+{
+  RayResult result;
+  this->ClipToBounds(origin, direction, from, to);
+  const double w0 = this->Options.SurfacePrior;
+  Ray ray(this->Voters, origin, direction);
+  double inside = 0; // length of the ray inside every silhouette so far
+  double previous = from;
+  bool previousFree = false;
+  for (double t = from; t <= to; t += step)
+  {
+    double f;
+    double w;
+    ray.MoveTo(t);
+    if (!this->Vote(ray, f, w))
+    {
+      previous = t;
+      previousFree = true;
+      continue;
+    }
+    inside += step;
+    const double wm = this->Options.SilhouettePrior * this->ChordFactor(inside);
+    result.Least = std::min(result.Least, (f - wm) / (w + wm));
+    const double value = (f - w0) / (w + w0);
+    if (value > 0)
+    {
+      previous = t;
+      previousFree = true;
+      continue;
+    }
+    if (!result.Surface)
+    {
+      double a = previousFree ? previous : t;
+      double b = t;
+      for (int halving = 0; halving < 6 && previousFree; ++halving)
+      {
+        const double middle = 0.5 * (a + b);
+        ray.MoveTo(middle);
+        (this->Value(ray) > 0 ? a : b) = middle;
+      }
+      result.Surface = 0.5 * (a + b);
+    }
+    if (result.Least < 0)
+    {
+      break;
+    }
+  }
+  return result;
+}
+
+int FusedField::Voter::StepsWithin(double pixels, const Sight& sight, const Vector3d& step) const
+{
+  const ImageRef<const float>& contour = this->ContourDistance;
+  const double reach = std::min(
+    { pixels, sight.X, sight.Y, contour.Width - 1 - sight.X, contour.Height - 1 - sight.Y });
+  if (reach <= 0)
+  {
+    return 0;
+  }
+  // After n steps q of homogeneous coordinates the picture has moved by n m / (z + n q.z).
+  const Vector3d q = this->P.leftCols<3>() * step;
+  const double m = std::hypot(q.x() - sight.X * q.z(), q.y() - sight.Y * q.z());
+  const double growth = m - reach * q.z();
+  constexpr double most = 1e6;
+  return static_cast<int>(
+    growth * most > reach * sight.Depth ? reach * sight.Depth / growth : most);
+}
+
+FusedField::Sample FusedField::Look(const Ray& ray, const Vector3d& step) const
+{
+  const double tau = this->Options.TruncationPx;
+  constexpr double nearest = 0.75; // pixels from a point to the nearest pixel's centre, at most
+  Sample sample{ -tau, 0, 0, 0 };
+  Sight sight;
+  for (int i = 0; i < static_cast<int>(this->Voters.size()); ++i)
+  {
+    const Voter& voter = this->Voters[i];
+    if (!ray.See(i, voter, sight))
+    {
+      continue;
+    }
+    const ImageRef<const float>& contour = voter.ContourDistance;
+    const double outside = -contour(sight.Column, sight.Row);
+    if (outside >= tau + nearest)
+    {
+      return { tau, 0, 0, voter.StepsWithin(outside - nearest - tau, sight, step) };
+    }
+    // Interpolated only where the nearest pixel says that it can matter.
+    if (outside > sample.Outside - 2)
+    {
+      sample.Outside = std::max(sample.Outside, -SampleBilinear(contour, sight.X, sight.Y));
+    }
+    voter.AddVote(sight, this->Tau, this->Options.GrazingDiscount, sample.F, sample.W);
+  }
+  sample.Outside = std::min(sample.Outside, tau);
+  return sample;
+}
+
+FusedField::Passage FusedField::Pass(
+  const Vector3d& origin, const Vector3d& direction, double from, double to, double step) const
+{
+  this->ClipToBounds(origin, direction, from, to);
+  const double tau = this->Options.TruncationPx;
+  Passage passage{ tau, from };
+  if (from > to)
+  {
+    return passage;
+  }
+  const std::size_t count = 1 + static_cast<std::size_t>((to - from) / step);
+  std::vector<double> outside(count, tau);
+  std::vector<double> field(count, tau);
+  Ray ray(this->Voters, origin, direction);
+  double inside = 0;
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    ray.MoveTo(from + k * step);
+    const Sample sample = this->Look(ray, step * direction);
+    if (sample.Outside >= tau)
+    {
+      k += sample.FreeSteps;
+      continue;
+    }
+    inside += sample.Outside < 0 ? step : 0;
+    const double wm = this->Options.SilhouettePrior * this->ChordFactor(inside);
+    const bool unseen = sample.W + wm <= 0;
+    outside[k] = sample.Outside;
+    field[k] = unseen ? -tau : tau * (sample.F - wm) / (sample.W + wm);
+  }
+  for (int k = 0; k < static_cast<int>(count); ++k)
+  {
+    if (outside[k] >= passage.Clearance)
+    {
+      continue;
+    }
+    const double value = std::max(outside[k], std::clamp(ParabolaAt(field, k), -tau, tau));
+    if (value < passage.Clearance)
+    {
+      passage = { value, from + k * step };
+    }
+  }
+  return passage;
+}
+
+double FusedField::ChordFactor(double inside) const
+{
+  // A longer chord of the hull makes it more likely that something of it is object.
+  return 1 + 0.25 * std::min(6.0, inside / (50 * this->Footprint));
+}
+
+double FusedField::PriorNeeded(const Vector3d& origin, const Vector3d& direction, double from,
+  double to, double step, double enough) const
+{
+  this->ClipToBounds(origin, direction, from, to);
+  Ray ray(this->Voters, origin, direction);
+  double least = std::numeric_limits<double>::infinity();
+  double inside = 0;
+  for (double t = from; t <= to && least > enough; t += step)
+  {
+    double f;
+    double w;
+    ray.MoveTo(t);
+    if (this->Vote(ray, f, w))
+    {
+      inside += step;
+      least = std::min(least, f / this->ChordFactor(inside));
+    }
+  }
+  return std::max(least, 0.0);
+}
+}

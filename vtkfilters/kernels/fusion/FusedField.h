@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef novelview_FusedField_h
+#define novelview_FusedField_h
+
+#include "geometry/View.h"
+
+#include <Eigen/Geometry>
+
+#include <optional>
+#include <vector>
+
+namespace novelview
+{
+struct FusionOptions
+{
+  double TruncationPx = 5;      ///< tau, input pixel footprints
+  double SurfacePrior = 0.15;   ///< w0: weight of "solid" when the surface is located
+  double SilhouettePrior = 0.2; ///< w0m: the same when it is decided whether there is any
+  /**
+   * How far a depth without texture loses its confidence G at grazing incidence, [0, 1]: there the
+   * smoothness of the map has placed it. Factor 1 - GrazingDiscount (1 - G)^3 (1 - cos incidence).
+   * Regarded by Pass() only.
+   */
+  double GrazingDiscount = 0;
+};
+
+/**
+ * The depth maps of all reference views fused as a signed distance. At a point X each view with a
+ * depth D at its projection votes s = D - z(X): nothing when s < -tau (X is hidden from it), else
+ * min(1, s / tau) with the confidence G of that depth. With F = sum G min(1, s/tau), W = sum G,
+ *
+ *     field(X) = (F - w0) / (W + w0)
+ *
+ * is positive in free space and negative in the solid; where nobody sees anything it is solid. A
+ * point outside any silhouette is free, and so is one outside the box around the surfaces that the
+ * maps show: far behind the object there are places that no frame covers. (Curless and Levoy 1996,
+ * evaluated where it is asked for instead of on a grid.)
+ *
+ * Views need ContourDistance, DepthMap and Confidence and must outlive the field.
+ */
+class FusedField
+{
+public:
+  FusedField(const std::vector<View>& views, const FusionOptions& options, double footprint);
+
+  /**
+   * The field of these views, as if there were no others: these neither vote nor does it count what
+   * lies outside their silhouettes. Only the box stays that of all.
+   */
+  FusedField Of(const std::vector<int>& views) const;
+
+  /** Sums F and W at a point; false when it is outside a silhouette, that is, free. */
+  bool Vote(const Eigen::Vector3d& x, double& f, double& w) const;
+
+  /** What a ray meets. */
+  struct RayResult
+  {
+    std::optional<double> Surface; ///< depth-like parameter of the first point with field <= 0
+    double Least = 1;              ///< least of (F - wm) / (W + wm) over the ray: below 0 = object
+  };
+
+  /**
+   * Walks origin + t direction from `from` to `to` in steps of `step`, and refines the first
+   * crossing. Stops at the crossing when the ray is certainly object by then.
+   */
+  RayResult Walk(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, double from,
+    double to, double step) const;
+
+  /** How far a ray passes from the object. */
+  struct Passage
+  {
+    /** Signed distance of the ray from the surface, input pixel footprints, within +- tau: above 0 =
+     * misses. */
+    double Clearance;
+    double At; ///< parameter of the ray where it comes nearest, or is deepest inside
+  };
+
+  /**
+   * The least signed distance along the ray, which is the larger of two at each of its points: that
+   * to the silhouettes' contours, and tau (F - wm) / (W + wm) of the maps. The latter is noisy, and
+   * the least of many noisy values is biased; it is therefore smoothed along the ray by a parabola
+   * through five samples (Savitzky and Golay 1964), which leaves round shapes as they are.
+   */
+  Passage Pass(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, double from,
+    double to, double step) const;
+
+  /**
+   * The least SilhouettePrior with which the ray counts as object; stops looking once it is no more
+   * than `enough`. Infinity when the ray leaves the silhouettes without meeting anything.
+   */
+  double PriorNeeded(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, double from,
+    double to, double step, double enough) const;
+
+private:
+  /** How much more the prior weighs after this length of ray inside every silhouette. */
+  double ChordFactor(double inside) const;
+  /** Where a view sees a point. */
+  struct Sight
+  {
+    double X, Y;     ///< pixels
+    double Depth;    ///< of the point
+    int Column, Row; ///< the nearest pixel
+  };
+  /** What a view knows. */
+  struct Voter
+  {
+    Eigen::Matrix<double, 3, 4> P;
+    ImageRef<const float> ContourDistance;
+    ImageRef<const float> DepthMap;
+    ImageRef<const float> Confidence;
+    const Camera* Cam;
+
+    /** Adds what the view's map says about the point. */
+    void AddVote(const Sight& sight, double tau, double grazing, double& f, double& w) const;
+    /** How many steps from a point its picture stays within `pixels` of here, and in the frame. */
+    int StepsWithin(double pixels, const Sight& sight, const Eigen::Vector3d& step) const;
+    /** Cosine of the angle at which the view sees the surface of its map at a pixel. */
+    double Incidence(int x, int y) const;
+  };
+  class Ray;
+  bool Vote(const Ray& ray, double& f, double& w) const;
+  double Value(const Ray& ray) const;
+  /** What silhouettes and maps say about a point of a ray. */
+  struct Sample
+  {
+    double Outside; ///< how far outside the silhouettes, footprints, within +- tau
+    double F, W;    ///< the maps' votes; not complete when Outside is tau
+    int FreeSteps;  ///< so many further steps of the ray are tau or more outside, too
+  };
+  Sample Look(const Ray& ray, const Eigen::Vector3d& step) const;
+  /** Shortens [from, to] of a ray to what lies in the box around the maps' surfaces. */
+  void ClipToBounds(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, double& from,
+    double& to) const;
+
+  std::vector<Voter> Voters;
+  Eigen::AlignedBox3d Bounds;
+  FusionOptions Options;
+  double Tau;
+  double Footprint;
+};
+}
+
+#endif

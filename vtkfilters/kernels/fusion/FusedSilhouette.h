@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef novelview_FusedSilhouette_h
+#define novelview_FusedSilhouette_h
+
+#include "core/Execution.h"
+#include "core/ImageRef.h"
+#include "fusion/FusedField.h"
+#include "geometry/TriangleMesh.h"
+#include "geometry/View.h"
+#include "silhouettes/ContourPrediction.h"
+
+#include <vector>
+
+namespace novelview
+{
+struct FusedSilhouetteOptions
+{
+  double StepPx = 2;      ///< of the walk along the novel rays, input pixel footprints
+  double SmoothingPx = 0; ///< sigma of the Gaussian over the distances; 0 = none
+  /** Most weight of the contour predicted from the photographs' contours against the field's 1; 0
+   * = it is not asked. */
+  double PredictionWeight = 10;
+  double PredictionGatePx = 1;       ///< the weight falls as the two differ by this
+  double PredictionResidualPx = 0.1; ///< and as its circle misses the contours by this
+  ContourPredictionOptions Prediction;
+};
+
+/**
+ * The silhouette that the fused field shows to the novel camera, inside that of the mesh: signed
+ * distance to its contour in novel pixels, positive inside.
+ *
+ *  1. A pixel of the mesh's silhouette is object when the field along its ray says so
+ *     (FusedField::Walk).
+ *  2. Near the contour so found, every pixel takes the signed distance at which its ray passes the
+ *     surface (FusedField::Pass): the contour is where that is zero, to a fraction of a pixel.
+ *  3. That distance is drawn to the one from the contour predicted from the photographs' contours
+ *     (PredictContour), where both agree: depth maps say where the surface is, but only to a
+ *     fraction of a pixel that shows at the rim; the prediction is finer where the surface is
+ *     smooth, and wrong where it is not.
+ *  4. A Gaussian over the distances as wide as the maps are unsure; tiny holes filled, tiny islands
+ *     dropped.
+ *
+ * Views need ContourDistance, DepthMap and Confidence.
+ */
+Image<float> FusedSilhouette(const TriangleMesh& mesh, const std::vector<View>& views,
+  const FusedField& field, const Camera& novel, double footprint,
+  const FusedSilhouetteOptions& options = {}, const Execution& execution = {});
+}
+
+#endif

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef novelview_VisualHull_h
+#define novelview_VisualHull_h
+
+#include "core/Execution.h"
+#include "geometry/TriangleMesh.h"
+#include "geometry/View.h"
+
+#include <Eigen/Geometry>
+
+#include <optional>
+#include <vector>
+
+namespace novelview
+{
+struct VisualHullOptions
+{
+  /** Edge of a lattice cell, in pixels of the photographs at the object's middle. [0.25, 64] */
+  double SpacingPx = 2.0;
+  /** Where to search; found from the silhouettes when not given. */
+  std::optional<Eigen::AlignedBox3d> Box;
+  /** Keep every component. Otherwise only the one with the most samples. */
+  bool KeepAllComponents = false;
+};
+
+struct VisualHullResult
+{
+  OrientedPoints Samples;  ///< on f = 0, with outward unit normals
+  TriangleMesh Surface;    ///< through all samples, of before the thinning (ConnectCells)
+  Eigen::AlignedBox3d Box; ///< the box searched
+  double Spacing = 0;      ///< world units
+  int Components = 0;      ///< found
+  int DroppedComponents = 0;
+  std::size_t DroppedSamples = 0;
+};
+
+/**
+ * Surface samples of the visual hull, the set f >= 0 of SilhouetteField: an octree finds the blocks
+ * that the surface may pass through, every lattice cell of such a block with corners on both sides
+ * gives one sample, which is moved onto f = 0 along the gradient and by bisection; of samples with
+ * like normals that are closer than 0.7 spacings the later ones are left out.
+ *
+ * Views need Mask and ContourDistance. Throws Error when the hull is empty (naming the view that
+ * empties it) or reaches the box (the silhouettes do not bound the object there).
+ */
+VisualHullResult ComputeVisualHull(const std::vector<View>& views,
+  const VisualHullOptions& options = {}, const Execution& execution = {});
+}
+
+#endif

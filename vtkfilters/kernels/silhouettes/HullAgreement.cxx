@@ -1,0 +1,411 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "silhouettes/HullAgreement.h"
+
+#include "core/ToInt.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace novelview
+{
+namespace
+{
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr int MostSteps = 4096; ///< along a ray, whatever the cameras are
+
+/** A range of the parameter of a ray. */
+struct RayRange
+{
+  double From = 0;
+  double To = 1;
+
+  /** Keeps the part where a linear function with these values at 0 and 1 is not negative. */
+  void Clip(double at0, double at1)
+  {
+    if (at0 < 0 && at1 < 0)
+    {
+      this->To = this->From - 1;
+    }
+    else if (at0 < 0)
+    {
+      this->From = std::max(this->From, at0 / (at0 - at1));
+    }
+    else if (at1 < 0)
+    {
+      this->To = std::min(this->To, at0 / (at0 - at1));
+    }
+  }
+  bool Empty() const { return !(this->From < this->To); }
+};
+
+/** A ray in a view's picture: h(q) = (1 - q) Start + q End, pixel h.head / h.z, q in [0, 1]. */
+struct PictureLine
+{
+  Vector3d Start;
+  Vector3d End;
+
+  Vector3d At(double q) const { return (1 - q) * this->Start + q * this->End; }
+};
+
+/** A silhouette that can be asked about points. */
+class SilhouetteWitness
+{
+public:
+  explicit SilhouetteWitness(const View& view)
+    : Cam(view.Cam)
+    , Distance(view.ContourDistance)
+  {
+    const ImageRef<const std::uint8_t>& mask = view.Mask;
+    for (int x = 0; x < mask.Width; ++x)
+    {
+      this->Top |= view.IsObject(x, 0);
+      this->Bottom |= view.IsObject(x, mask.Height - 1);
+    }
+    for (int y = 0; y < mask.Height; ++y)
+    {
+      this->Left |= view.IsObject(0, y);
+      this->Right |= view.IsObject(mask.Width - 1, y);
+    }
+  }
+
+  /** The ray from `origin` (q = 0) along `direction` to infinity (q = 1). */
+  PictureLine Line(const Vector3d& origin, const Vector3d& direction) const
+  {
+    return { this->Cam.K * this->Cam.ToCamera(origin), this->Cam.K * (this->Cam.R * direction) };
+  }
+
+  /** Where a line lies in front of the camera and no more than `px` beyond a closed side. */
+  RayRange Range(const PictureLine& line, double px) const
+  {
+    const double right = this->Distance.Width - 1 + px;
+    const double bottom = this->Distance.Height - 1 + px;
+    RayRange range;
+    const auto clip = [&](double sign, int axis, double limit)
+    {
+      range.Clip(sign * (line.Start[axis] - limit * line.Start.z()),
+        sign * (line.End[axis] - limit * line.End.z()));
+    };
+    range.Clip(line.Start.z(), line.End.z());
+    if (!this->Left)
+    {
+      clip(1, 0, -px);
+    }
+    if (!this->Right)
+    {
+      clip(-1, 0, right);
+    }
+    if (!this->Top)
+    {
+      clip(1, 1, -px);
+    }
+    if (!this->Bottom)
+    {
+      clip(-1, 1, bottom);
+    }
+    return range;
+  }
+
+  /** The signed distance inside the contour at a point of a line; adds 1 to `seen` in the frame. */
+  double Ask(const Vector3d& h, double floorPx, int& seen) const
+  {
+    if (!(h.z() > 0))
+    {
+      return -floorPx;
+    }
+    const double x = h.x() / h.z();
+    const double y = h.y() / h.z();
+    const double right = this->Distance.Width - 1;
+    const double bottom = this->Distance.Height - 1;
+    const double beyond = std::max({ this->Left ? 0 : -x, this->Right ? 0 : x - right,
+      this->Top ? 0 : -y, this->Bottom ? 0 : y - bottom, 0.0 });
+    if (beyond > 0)
+    {
+      const double there = SampleBilinear(this->Distance, x, y);
+      return std::max(std::min(there, 0.0) - beyond, -floorPx);
+    }
+    if (x < -0.5 || y < -0.5 || x > right + 0.5 || y > bottom + 0.5)
+    {
+      return std::numeric_limits<double>::infinity();
+    }
+    ++seen;
+    return std::max(SampleBilinear(this->Distance, x, y), -floorPx);
+  }
+
+  const Camera& Cam;
+
+private:
+  ImageRef<const float> Distance;
+  bool Left = false; ///< whether the silhouette reaches this side of the frame
+  bool Right = false;
+  bool Top = false;
+  bool Bottom = false;
+};
+
+/** What the other views say about a point. */
+struct PointVerdict
+{
+  double Least = std::numeric_limits<double>::infinity();
+  double Second = std::numeric_limits<double>::infinity();
+  int LeastId = -1; ///< index of the other view that says Least
+  int Seen = 0;
+  double Shortfall = 0; ///< without LeastId: how far the point is from being any better
+};
+
+/** Follows one ray at a time. */
+class AgreementFollower
+{
+public:
+  AgreementFollower(
+    const std::vector<SilhouetteWitness>& witnesses, const AgreementOptions& options)
+    : Witnesses(witnesses)
+    , Options(options)
+  {
+  }
+
+  RayAgreement Follow(const SilhouetteRay& ray)
+  {
+    RayAgreement result;
+    result.Residual = static_cast<float>(-this->Options.FloorPx);
+    this->Project(ray);
+    if (this->Options.WithoutEach)
+    {
+      result.Without.assign(this->Witnesses.size(), result.Residual);
+    }
+    const RayRange range = this->CommonRange();
+    if (this->Lines.empty() || range.Empty())
+    {
+      return result;
+    }
+    const int needed = std::max(1, CeilToInt(this->Options.SeenShare * this->Lines.size()));
+    const int steps = this->StepsIn(range);
+    this->BestAt = range.From;
+    // A look every now and then first: the better the best, the more can be skipped.
+    for (const int stride : { CoarseStride, 1 })
+    {
+      for (int i = 0; i <= steps;)
+      {
+        const double q = range.From + (range.To - range.From) * i / steps;
+        i += std::max(stride, this->Visit(q, needed, result));
+      }
+    }
+    for (float& without : result.Without)
+    {
+      without = std::max(without, result.Residual);
+    }
+    result.Point = this->Origin + this->BestAt * this->Scale / (1 - this->BestAt) * this->Direction;
+    return result;
+  }
+
+private:
+  static constexpr int CoarseStride = 16;
+
+  /** Takes a point into account; returns the number of steps in which no point is any better. */
+  int Visit(double q, int needed, RayAgreement& result)
+  {
+    const PointVerdict verdict = this->Judge(q, result.Residual);
+    if (verdict.LeastId < 0)
+    {
+      // Distances change by no more than twice the step (that much only outside the frame).
+      return ToInt(verdict.Shortfall / (2 * this->Options.StepPx));
+    }
+    if (verdict.Seen < needed)
+    {
+      return 0;
+    }
+    if (verdict.Least > result.Residual)
+    {
+      result.Residual = static_cast<float>(verdict.Least);
+      this->BestAt = q;
+    }
+    if (this->Options.WithoutEach)
+    {
+      float& without = result.Without[this->Ids[verdict.LeastId]];
+      without = std::max(without, static_cast<float>(verdict.Second));
+    }
+    return 0;
+  }
+
+  void Project(const SilhouetteRay& ray)
+  {
+    const Camera& camera = this->Witnesses[ray.ViewId].Cam;
+    this->Origin = camera.Centre();
+    this->Direction = camera.RayDirection(ray.Pixel);
+    this->Ids.clear();
+    this->Scale = 0;
+    for (std::size_t id = 0; id < this->Witnesses.size(); ++id)
+    {
+      if (static_cast<int>(id) != ray.ViewId)
+      {
+        this->Ids.push_back(static_cast<int>(id));
+        this->Scale = std::max(this->Scale, (this->Witnesses[id].Cam.Centre() - Origin).norm());
+      }
+    }
+    this->Scale = this->Scale > 0 ? this->Scale : 1;
+    this->Lines.clear();
+    for (const int id : this->Ids)
+    {
+      this->Lines.push_back(this->Witnesses[id].Line(this->Origin, this->Scale * this->Direction));
+    }
+    this->Asked = 0;
+  }
+
+  /** Where at most as many views as may be left out rule a ray out by their frame alone. */
+  RayRange CommonRange() const
+  {
+    std::vector<double> from;
+    std::vector<double> to;
+    for (std::size_t i = 0; i < this->Lines.size(); ++i)
+    {
+      const RayRange range =
+        this->Witnesses[this->Ids[i]].Range(this->Lines[i], this->Options.FloorPx);
+      from.push_back(range.Empty() ? 1 : range.From);
+      to.push_back(range.Empty() ? 0 : range.To);
+    }
+    if (from.empty())
+    {
+      return { 1, 0 };
+    }
+    std::sort(from.begin(), from.end(), std::greater<>());
+    std::sort(to.begin(), to.end());
+    const std::size_t rank = this->Options.WithoutEach && from.size() > 1 ? 1 : 0;
+    // Infinity itself is no point.
+    return { from[rank], std::min(to[rank], 1 - 1e-9) };
+  }
+
+  /** So many that no step is longer than StepPx in any picture. */
+  int StepsIn(const RayRange& range) const
+  {
+    constexpr int Parts = 16;
+    double longest = 0;
+    for (const PictureLine& line : this->Lines)
+    {
+      Vector2d before = Vector2d::Zero();
+      bool known = false;
+      for (int part = 0; part <= Parts; ++part)
+      {
+        const Vector3d h = line.At(range.From + (range.To - range.From) * part / Parts);
+        const bool front = h.z() > 0;
+        const Vector2d at = front ? Vector2d(h.hnormalized()) : Vector2d::Zero();
+        if (front && known)
+        {
+          longest = std::max(longest, (at - before).norm());
+        }
+        before = at;
+        known = front;
+      }
+    }
+    const double steps = std::ceil(Parts * longest / this->Options.StepPx);
+    return ToInt(ClampedNumber(steps, 1, MostSteps));
+  }
+
+  /** No verdict (LeastId -1) when the point cannot be better than what is known already. */
+  PointVerdict Judge(double q, double residual)
+  {
+    PointVerdict verdict;
+    const std::size_t count = this->Lines.size();
+    for (std::size_t n = 0; n < count; ++n)
+    {
+      const std::size_t i = (this->Asked + n) % count;
+      const double inside = this->Witnesses[this->Ids[i]].Ask(
+        this->Lines[i].At(q), this->Options.FloorPx, verdict.Seen);
+      if (inside < verdict.Least)
+      {
+        verdict.Second = verdict.Least;
+        verdict.Least = inside;
+        verdict.LeastId = static_cast<int>(i);
+      }
+      else
+      {
+        verdict.Second = std::min(verdict.Second, inside);
+      }
+      const double objection = this->Options.WithoutEach ? verdict.Second : verdict.Least;
+      if (objection <= residual)
+      {
+        // Who spoke against this point may well speak against the next.
+        this->Asked = i;
+        verdict.LeastId = -1;
+        verdict.Shortfall = residual - objection;
+        return verdict;
+      }
+    }
+    return verdict;
+  }
+
+  const std::vector<SilhouetteWitness>& Witnesses;
+  const AgreementOptions& Options;
+  Vector3d Origin;
+  Vector3d Direction;
+  double Scale = 1; ///< q = 1/2 is so far along the ray
+  std::vector<int> Ids;
+  std::vector<PictureLine> Lines; ///< in the picture of each
+  std::size_t Asked = 0;
+  double BestAt = 0;
+};
+
+/** Every pixel a condition holds for, thinned out to about `count`. */
+template <class Condition>
+std::vector<SilhouetteRay> ThinnedPixels(
+  const ImageRef<const float>& distance, int viewId, int count, const Condition& holds)
+{
+  std::vector<SilhouetteRay> all;
+  for (int y = 1; y + 1 < distance.Height; ++y)
+  {
+    for (int x = 1; x + 1 < distance.Width; ++x)
+    {
+      if (holds(distance(x, y)))
+      {
+        all.push_back({ viewId, Vector2d(x, y) });
+      }
+    }
+  }
+  const std::size_t wanted = std::min<std::size_t>(all.size(), static_cast<std::size_t>(count));
+  std::vector<SilhouetteRay> rays;
+  for (std::size_t i = 0; i < wanted; ++i)
+  {
+    rays.push_back(all[i * all.size() / wanted]);
+  }
+  return rays;
+}
+}
+
+std::vector<RayAgreement> FollowSilhouetteRays(const std::vector<View>& views,
+  const std::vector<SilhouetteRay>& rays, const AgreementOptions& options,
+  const Execution& execution)
+{
+  const std::vector<SilhouetteWitness> witnesses(views.begin(), views.end());
+  std::vector<RayAgreement> agreements(rays.size());
+  execution.ForEachWith(
+    static_cast<std::int64_t>(rays.size()), [&] { return AgreementFollower(witnesses, options); },
+    [&](AgreementFollower& follower, std::int64_t i) { agreements[i] = follower.Follow(rays[i]); });
+  execution.Report(1);
+  return agreements;
+}
+
+std::vector<SilhouetteRay> AreaRays(const std::vector<View>& views, int viewId, int count)
+{
+  return ThinnedPixels(
+    views[viewId].ContourDistance, viewId, count, [](float distance) { return distance > 0; });
+}
+
+std::vector<SilhouetteRay> ContourRays(const std::vector<View>& views, int viewId, int count)
+{
+  const ImageRef<const float>& distance = views[viewId].ContourDistance;
+  std::vector<SilhouetteRay> rays =
+    ThinnedPixels(distance, viewId, count, [](float inside) { return inside > 0 && inside <= 1; });
+  for (SilhouetteRay& ray : rays)
+  {
+    const int x = static_cast<int>(ray.Pixel.x());
+    const int y = static_cast<int>(ray.Pixel.y());
+    const Vector2d inwards(
+      distance(x + 1, y) - distance(x - 1, y), distance(x, y + 1) - distance(x, y - 1));
+    if (inwards.norm() > 0)
+    {
+      ray.Pixel -= distance(x, y) * inwards.normalized();
+    }
+  }
+  return rays;
+}
+}

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef novelview_PhotoConsistency_h
+#define novelview_PhotoConsistency_h
+
+#include "geometry/View.h"
+
+namespace novelview
+{
+/** The three channels of a square window of a photograph, and which of its values are object. */
+struct PhotoWindow
+{
+  static constexpr int MaxRadius = 7;
+  static constexpr int MaxColumns = 48; ///< 3 (2 MaxRadius + 1), filled up to whole registers
+  static constexpr int MaxValues = (2 * MaxRadius + 1) * MaxColumns;
+
+  bool AllObject;          ///< then Object is not set
+  float Values[MaxValues]; ///< row by row, the channels of a pixel beside each other
+  float Object[MaxValues]; ///< 1 or 0
+};
+
+/**
+ * The window around one pixel of a key photograph, to be compared with windows of others: the
+ * (2 radius + 1)^2 pixels around both centres, three channels. Only pixels that are object in both
+ * count; windows with less than a quarter of their pixels in common say nothing.
+ */
+class WindowMatcher
+{
+public:
+  /** Reads the key window once; `radius` up to 7, more is cut to that. */
+  WindowMatcher(const View& key, const Eigen::Vector2d& keyCentre, int radius);
+
+  /**
+   * Normalised sum of squared differences (Chia et al. 2013, equation 3), M = 1 where both are
+   * object:
+   *
+   *     w = sum M (I_key - I_k)^2 / sqrt(sum M I_key^2 . sum M I_k^2),
+   *
+   * from 0 (equal windows) to 1, which is also what windows get that say nothing.
+   */
+  double Difference(const View& other, const Eigen::Vector2d& otherCentre) const;
+
+  /**
+   * Similarity, 0 to 1: the zero-mean normalised cross-correlation, and 0 where it is negative or
+   * the windows say nothing. `noise` (variance per value, grey levels squared) is added to both
+   * variances so that flat windows say nothing rather than something random.
+   */
+  double Similarity(const View& other, const Eigen::Vector2d& otherCentre, double noise = 12) const;
+
+private:
+  int Radius;
+  PhotoWindow Key;
+};
+
+/**
+ * The point on the key ray (through `keyPixel`) nearest to the ray through `otherPixel`, which is
+ * where both see the same surface point. Returns false for (nearly) parallel rays or a point behind
+ * either camera.
+ */
+bool Triangulate(const Camera& key, const Eigen::Vector2d& keyPixel, const Camera& other,
+  const Eigen::Vector2d& otherPixel, Eigen::Vector3d& point);
+}
+
+#endif

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef novelview_WindowSweep_h
+#define novelview_WindowSweep_h
+
+#include "stereo/MatchingVolume.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace novelview
+{
+/**
+ * A box of the key photograph with a margin of the window's radius all around, channel by channel.
+ * Column i, row y of it is the frame's pixel (X0 - Radius + i, Y0 + y), y from -Radius.
+ */
+class KeyRows
+{
+public:
+  KeyRows(const MatchImage& key, const Image<float>& base, const Image<float>& last,
+    const PixelBox& box, int radius);
+
+  /** The columns between the first and the last pixel with a base, end excluded. */
+  struct Span
+  {
+    int Begin = 0, End = 0;
+    float Last = 0; ///< largest offset that makes sense anywhere in the row
+    bool Empty() const { return this->Begin >= this->End; }
+  };
+  const Span& SpanOf(int y) const { return this->Spans[y + this->Radius]; }
+
+  /** Of column 0 of a row. */
+  template <class T>
+  const T* Row(const std::vector<T>& values, int y) const
+  {
+    return values.data() + static_cast<std::size_t>(y + this->Radius) * this->Width;
+  }
+
+  const Camera Cam;
+  const PixelBox Box;
+  const int Radius;
+  const int Width; ///< with the margins
+  std::vector<float> Base, Last;
+  std::vector<std::uint8_t> Red, Green, Blue, Luma;
+
+private:
+  void ReadRow(const MatchImage& key, const Image<float>& base, const Image<float>& last, int y);
+
+  std::vector<Span> Spans;
+};
+
+/**
+ * Window costs of one neighbour at one offset, row after row. Each row is sampled once; the sums
+ * over the window's rows are kept per column as rows enter and leave. The sums are whole numbers,
+ * so that neither the order nor the taking away costs a bit.
+ */
+class WindowSweep
+{
+public:
+  WindowSweep(const KeyRows& rows, const MatchImage& other, const MatchOptions& options);
+
+  /** Begins anew at this offset. */
+  void Start(double offset);
+
+  /** Lets row y enter the windows; to be called for y = -Radius, -Radius + 1, ... */
+  void Enter(int y);
+
+  /**
+   * Costs (0 to MatchingVolume::Unit) of the pixels in the span of the row whose windows end with
+   * the row entered last; costs[0] is the box's first pixel. False, and nothing is written, where
+   * no window holds anything.
+   */
+  bool Costs(std::int16_t* costs);
+
+private:
+  /** Where a row's rays meet the neighbour. */
+  struct Hits
+  {
+    std::vector<std::int32_t> First;   ///< pixel above and left of the hit
+    std::vector<std::int32_t> Nearest; ///< -1 where there is none
+    std::vector<std::int32_t> Down;    ///< share of the pixels below, 1/128
+    std::vector<float> Right;          ///< share of the pixels on the right
+  };
+  /** What the pixels of a row add to their columns; all 0 where either is not object. */
+  struct Samples
+  {
+    KeyRows::Span Span;
+    std::vector<std::uint8_t> Count, Key, Other, Difference;
+    void Clear();
+  };
+  struct Columns
+  {
+    std::vector<std::uint16_t> Count, Key, Other, Difference;
+    std::vector<std::int32_t> Key2, Other2, Product;
+  };
+
+  void Project(int y, const KeyRows::Span& span);
+  void Gather(const KeyRows::Span& span);
+  void Compare(int y, Samples& row) const;
+  void Replace(const Samples& entering, const Samples& leaving);
+  Samples& RowOf(int y) { return this->Ring[(y + 4 * this->Side) % (this->Side + 1)]; }
+
+  const KeyRows& Rows;
+  const MatchImage& Other;
+  const int Side;
+  const float ShareOfColor;
+  const float Noise;
+  const float LevelsPerGrey; ///< of Difference: 255 = ColorTruncation
+  Eigen::Matrix3f H;         ///< pixel (x, y) at depth d of the key projects to
+  Eigen::Vector3f E;         ///< H (x, y, 1) d + E of the neighbour
+  float Offset = 0;
+  int Newest = 0;
+  Hits Hit;
+  std::vector<float> Picked; ///< R, G, B, luma of the neighbour, times 128
+  std::vector<Samples> Ring;
+  Columns Sum;
+};
+}
+
+#endif
