@@ -11,8 +11,8 @@ namespace
 struct Shape
 {
   const char* TypeName = "TEXT";
-  int LeastWords = 1;
-  int MostWords = 1;
+  int MinWords = 1;
+  int MaxWords = 1;
 };
 
 struct ShapeOf
@@ -68,7 +68,7 @@ void OptionParser::AddTo(CLI::App& command, const OptionTable& table)
     const std::string flag = option.Positional ? option.Key : FlagOf(option.Key);
     const Shape shape = std::visit(ShapeOf(), option.Target);
     CLI::Option* added = nullptr;
-    if (shape.MostWords == 0)
+    if (shape.MaxWords == 0)
     {
       const std::string off = "--no-" + flag.substr(2);
       added = command.add_flag(flag + ",!" + off, entry.Words, HelpText(option));
@@ -77,8 +77,8 @@ void OptionParser::AddTo(CLI::App& command, const OptionTable& table)
     else
     {
       added = command.add_option(flag, entry.Words, HelpText(option));
-      added->type_name(shape.TypeName)->delimiter(',')->expected(shape.LeastWords, shape.MostWords);
-      if (shape.MostWords == 1)
+      added->type_name(shape.TypeName)->delimiter(',')->expected(shape.MinWords, shape.MaxWords);
+      if (shape.MaxWords == 1)
       {
         // A view has commas of its own.
         added->delimiter('\0')->multi_option_policy(CLI::MultiOptionPolicy::Throw);

@@ -96,9 +96,9 @@ public:
   }
 
   /** The first process says what went wrong here, and ends all; if it does not, this one does. */
-  void TellFailure(const std::string& error)
+  void ReportFailure(const std::string& error)
   {
-    if (this->Processes && this->Processes->TellFailure(error))
+    if (this->Processes && this->Processes->ReportFailure(error))
     {
       std::this_thread::sleep_for(std::chrono::seconds(10));
       std::fprintf(stderr, "novelview: error: %s\n", error.c_str());
@@ -138,7 +138,7 @@ int main(int argc, char** argv)
   processes.Rank = FindLaunchPlace().Rank;
   processes.Count = FindLaunchPlace().Size;
   processes.Start = [&launch](int timeout) -> ProcessGroup& { return launch.Start(timeout); };
-  processes.Failed = [&launch](const std::string& error) { launch.TellFailure(error); };
+  processes.Failed = [&launch](const std::string& error) { launch.ReportFailure(error); };
   processes.StopSignal = [] { return static_cast<int>(StopSignal); };
   return launch.End(FlushOutput(RunCommandLine(argc, argv, CommandTable(), processes)));
 }

@@ -2,8 +2,8 @@
 #include "vtkNonOutlineDeformer.h"
 
 #include "FilterSupport.h"
-#include "deformation/FieldDeformation.h"
 #include "deformation/NonOutlineDeformation.h"
+#include "deformation/TsdfDeformation.h"
 
 #include <vtkMultiBlockDataSet.h>
 #include <vtkObjectFactory.h>
@@ -28,10 +28,10 @@ int vtkNonOutlineDeformer::RequestData(
 
       std::vector<std::uint8_t> active = novelview::PointFlags(input, "Visible", 1);
       const auto listener = [&](const novelview::DeformationState& state)
-      { this->TellIteration(state, input); };
+      { this->ReportIteration(state, input); };
       if (this->UseDepthMaps)
       {
-        const novelview::FieldDeformationOptions options =
+        const novelview::TsdfDeformationOptions options =
           this->FieldOptions(vtkDataObject::GetData(inputs[1]));
         // Points nobody sees are at the rim of what is seen; left behind they would be spikes.
         std::fill(active.begin(), active.end(), 1);

@@ -29,7 +29,7 @@
  *
  * With UseDepthMaps every point, outline points included, moves on the same line L to where the
  * views' fused depth maps change from free to solid, balanced with its neighbours
- * (FieldDeformation.h); `EnergyPhoto` is then the distance to there, `EnergyHull` that to where the
+ * (TsdfDeformation.h); `EnergyPhoto` is then the distance to there, `EnergyHull` that to where the
  * point started, in footprints.
  *
  * Reference: Chia, He and Lin 2013, section 2.3.

@@ -2,8 +2,8 @@
 #include "vtkOutlineDeformer.h"
 
 #include "FilterSupport.h"
-#include "deformation/FieldDeformation.h"
 #include "deformation/OutlineDeformation.h"
+#include "deformation/TsdfDeformation.h"
 
 #include <vtkMultiBlockDataSet.h>
 #include <vtkObjectFactory.h>
@@ -28,11 +28,11 @@ int vtkOutlineDeformer::RequestData(
 
       const std::vector<std::uint8_t> visible = novelview::PointFlags(input, "Visible", 1);
       const auto listener = [&](const novelview::DeformationState& state)
-      { this->TellIteration(state, input); };
+      { this->ReportIteration(state, input); };
       if (this->UseDepthMaps)
       {
         vtkDataObject* maps = vtkDataObject::GetData(inputs[1]);
-        novelview::FieldDeformationOptions options = this->FieldOptions(maps);
+        novelview::TsdfDeformationOptions options = this->FieldOptions(maps);
         options.Outline.SilhouettePrior = this->SilhouettePrior > 0
           ? this->SilhouettePrior
           : novelview::AttachedNumber(

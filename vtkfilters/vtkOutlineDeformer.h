@@ -25,7 +25,7 @@
  *
  * With UseDepthMaps the positions come from the views' depth maps instead: outline points move, in
  * the same plane, onto the contour of the silhouette that the fused maps show to the novel camera,
- * and the strip they sweep is cut away (FieldDeformation.h); `EnergyPhoto` is then the distance to
+ * and the strip they sweep is cut away (TsdfDeformation.h); `EnergyPhoto` is then the distance to
  * that contour in pixels and the other terms are 0. With UseContourPrediction that contour is
  * refined by the one interpolated from the photographs' contours, which takes the place of E_c.
  *

@@ -145,7 +145,7 @@ int vtkPowerCrustMesher::RequestData(
       novelview::PowerCrustOptions options;
       options.Output = this->OutputType == PowerCrust ? novelview::CrustOutput::PowerCrust
                                                       : novelview::CrustOutput::DelaunayCrust;
-      options.MinimumPieceSamples = this->MinimumPieceSamples;
+      options.MinimumComponentSamples = this->MinimumComponentSamples;
       options.RecoverSamples = this->RecoverSamples;
       const novelview::PowerCrustResult result = novelview::ComputePowerCrust(
         points, useNormals ? &normals : nullptr, options, novelview::ExecutionFor(this));
@@ -167,6 +167,6 @@ void vtkPowerCrustMesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent
      << "OutputType: " << (this->OutputType == PowerCrust ? "PowerCrust" : "DelaunayCrust") << "\n";
   os << indent << "UseNormals: " << (this->UseNormals ? "on" : "off") << "\n";
-  os << indent << "MinimumPieceSamples: " << this->MinimumPieceSamples << "\n";
+  os << indent << "MinimumComponentSamples: " << this->MinimumComponentSamples << "\n";
   os << indent << "RecoverSamples: " << (this->RecoverSamples ? "on" : "off") << "\n";
 }

@@ -80,8 +80,8 @@ public:
    * DelaunayCrust only: pieces and cavities with fewer samples than this are dropped as noise; the
    * largest piece stays. Default: 20, range: 0 (keep all) and up.
    */
-  vtkSetClampMacro(MinimumPieceSamples, int, 0, VTK_INT_MAX);
-  vtkGetMacro(MinimumPieceSamples, int);
+  vtkSetClampMacro(MinimumComponentSamples, int, 0, VTK_INT_MAX);
+  vtkGetMacro(MinimumComponentSamples, int);
   ///@}
 
   ///@{
@@ -103,7 +103,7 @@ protected:
 
   int OutputType = DelaunayCrust;
   bool UseNormals = true;
-  int MinimumPieceSamples = 20;
+  int MinimumComponentSamples = 20;
   bool RecoverSamples = true;
 
 private:

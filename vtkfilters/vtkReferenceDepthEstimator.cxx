@@ -2,7 +2,7 @@
 #include "vtkReferenceDepthEstimator.h"
 
 #include "FilterSupport.h"
-#include "deformation/FieldDeformation.h"
+#include "deformation/TsdfDeformation.h"
 #include "fusion/SilhouettePrior.h"
 #include "geometry/ViewSelection.h"
 #include "stereo/MapComparison.h"

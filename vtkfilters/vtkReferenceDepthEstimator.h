@@ -7,7 +7,7 @@
  * mesh (equations 7 and 8). This stage does the same for every pixel with every photograph in turn
  * as the key, once per data set: first behind the hull's front at half resolution, then about the
  * fused surface of the maps around it at full resolution. The deformers fuse the maps on the lines
- * their points move on (FusedField.h).
+ * their points move on (TsdfField.h).
  *
  * Ports:
  *  - in 0: vtkMultiBlockDataSet, the views (see ViewAccess.h) with `Color`, `Mask`,

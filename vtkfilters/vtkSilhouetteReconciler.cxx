@@ -43,8 +43,8 @@ int vtkSilhouetteReconciler::RequestData(
       needs.ContourDistance = true;
       const std::vector<novelview::View> views = novelview::ReadViews(input, needs);
       novelview::ConsistencyOptions options;
-      options.LeastPx = this->LeastOffset;
-      options.LeastShare = this->LeastShare;
+      options.MinPx = this->MinOffset;
+      options.MinShare = this->MinShare;
       const std::vector<double> offsets =
         novelview::FindContourOffsets(views, options, novelview::ExecutionFor(this));
       vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputs);
@@ -66,6 +66,6 @@ int vtkSilhouetteReconciler::RequestData(
 void vtkSilhouetteReconciler::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "LeastOffset: " << this->LeastOffset << "\n";
-  os << indent << "LeastShare: " << this->LeastShare << "\n";
+  os << indent << "MinOffset: " << this->MinOffset << "\n";
+  os << indent << "MinShare: " << this->MinShare << "\n";
 }

@@ -34,14 +34,14 @@ public:
 
   ///@{
   /** Smaller offsets are left alone, pixels. Default 0.5, range 0.25 to 100. */
-  vtkSetClampMacro(LeastOffset, double, 0.25, 100.0);
-  vtkGetMacro(LeastOffset, double);
+  vtkSetClampMacro(MinOffset, double, 0.25, 100.0);
+  vtkGetMacro(MinOffset, double);
   ///@}
 
   ///@{
   /** Part of the other views' edge rays a silhouette has to cut. Default 0.05, range 0 to 1. */
-  vtkSetClampMacro(LeastShare, double, 0.0, 1.0);
-  vtkGetMacro(LeastShare, double);
+  vtkSetClampMacro(MinShare, double, 0.0, 1.0);
+  vtkGetMacro(MinShare, double);
   ///@}
 
 protected:
@@ -50,8 +50,8 @@ protected:
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
-  double LeastOffset = 0.5;
-  double LeastShare = 0.05;
+  double MinOffset = 0.5;
+  double MinShare = 0.05;
 
 private:
   vtkSilhouetteReconciler(const vtkSilhouetteReconciler&) = delete;

@@ -3,7 +3,7 @@
 
 #include "FilterSupport.h"
 #include "deformation/Deformation.h"
-#include "deformation/FieldDeformation.h"
+#include "deformation/TsdfDeformation.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkInformation.h>
@@ -122,9 +122,9 @@ int vtkViewDeformer::FillInputPortInformation(int port, vtkInformation* info)
 }
 
 //------------------------------------------------------------------------------
-novelview::FieldDeformationOptions vtkViewDeformer::FieldOptions(vtkDataObject* views)
+novelview::TsdfDeformationOptions vtkViewDeformer::FieldOptions(vtkDataObject* views)
 {
-  novelview::FieldDeformationOptions options = novelview::OptionsForNoise(this->DepthNoise > 0
+  novelview::TsdfDeformationOptions options = novelview::OptionsForNoise(this->DepthNoise > 0
       ? this->DepthNoise
       : novelview::AttachedNumber(views, novelview::arrays::DepthNoise, 0));
   options.Iterations = this->NumberOfIterations;
@@ -133,7 +133,7 @@ novelview::FieldDeformationOptions vtkViewDeformer::FieldOptions(vtkDataObject* 
 }
 
 //------------------------------------------------------------------------------
-void vtkViewDeformer::TellIteration(const novelview::DeformationState& state, vtkPolyData* input)
+void vtkViewDeformer::ReportIteration(const novelview::DeformationState& state, vtkPolyData* input)
 {
   vtkNew<vtkPolyData> mesh;
   novelview::FromTriangleMesh(*state.Mesh, mesh);

@@ -30,7 +30,7 @@ class vtkPinholeCamera;
 namespace novelview
 {
 struct DeformationState;
-struct FieldDeformationOptions;
+struct TsdfDeformationOptions;
 }
 
 class VTKNOVELVIEWFILTERS_EXPORT vtkViewDeformer : public vtkPolyDataAlgorithm
@@ -70,7 +70,7 @@ public:
   ///@{
   /**
    * With UseDepthMaps: by how many input pixel footprints the maps are off. The more, the more
-   * steadily and the less finely they are followed (FieldDeformation.h). 0, the default, takes what
+   * steadily and the less finely they are followed (TsdfDeformation.h). 0, the default, takes what
    * vtkReferenceDepthEstimator measured. Range 0 to 10.
    */
   vtkSetClampMacro(DepthNoise, double, 0.0, 10.0);
@@ -100,10 +100,10 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
 
   /** Packs a state into CurrentMesh and the means, and invokes IterationEvent. */
-  void TellIteration(const novelview::DeformationState& state, vtkPolyData* input);
+  void ReportIteration(const novelview::DeformationState& state, vtkPolyData* input);
 
   /** How the depth maps of these views are followed. */
-  novelview::FieldDeformationOptions FieldOptions(vtkDataObject* views);
+  novelview::TsdfDeformationOptions FieldOptions(vtkDataObject* views);
   /** Name of the second energy array: `EnergyContour` or `EnergyHull`. */
   virtual const char* ContourArrayName() const = 0;
   /** Whether the points this filter moves are the outline points. */

@@ -104,7 +104,7 @@ public:
 
   ///@{
   /**
-   * Sub-rays per pixel side for the coverage of rim pixels; even values are raised by one.
+   * Subsamples per pixel side for the coverage of rim pixels; even values are raised by one.
    * Default 1 (no antialiasing), range 1 to 9.
    */
   vtkSetClampMacro(RimSamples, int, 1, 9);

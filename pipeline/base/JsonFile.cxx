@@ -31,13 +31,13 @@ std::string PlaceOf(const std::string& text, std::size_t at, const std::string& 
 /** The next few bytes, for a message. */
 std::string WordAt(const std::string& text, std::size_t at)
 {
-  constexpr std::size_t Most = 20;
+  constexpr std::size_t Max = 20;
   if (at >= text.size())
   {
     return "the end";
   }
   const std::size_t end = text.find_first_of(",:[]{} \t\r\n", at + 1);
-  return "'" + text.substr(at, std::min(end == std::string::npos ? end : end - at, Most)) + "'";
+  return "'" + text.substr(at, std::min(end == std::string::npos ? end : end - at, Max)) + "'";
 }
 
 /** Where the text or word that begins at `at` ends. */
@@ -104,10 +104,10 @@ void CheckNesting(const std::string& text, const std::string& where)
     }
     quoted = c == '"';
     depth += c == '[' || c == '{' ? 1 : (c == ']' || c == '}' ? -1 : 0);
-    if (depth > MostJsonNesting)
+    if (depth > MaxJsonNesting)
     {
       throw Error(PlaceOf(text, at, where), "JSON is nested too deep",
-        "more than " + std::to_string(MostJsonNesting) + " levels", "fewer");
+        "more than " + std::to_string(MaxJsonNesting) + " levels", "fewer");
     }
   }
 }

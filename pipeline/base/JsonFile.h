@@ -11,7 +11,7 @@
 namespace novelview
 {
 /** Objects and arrays may be nested so deep. */
-constexpr int MostJsonNesting = 64;
+constexpr int MaxJsonNesting = 64;
 
 /**
  * A JSON value from its text. Throws Error, naming `where`, line and column, and what was expected

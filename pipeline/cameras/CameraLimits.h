@@ -11,15 +11,15 @@
 namespace novelview
 {
 /** Of a photograph's width and height, pixels. */
-constexpr int MostExtentPx = 1 << 20;
+constexpr int MaxExtentPx = 1 << 20;
 
 /** A width or height from a file, where 0 or less says nothing and becomes 0. Throws Error. */
 inline int ExtentOf(double value, const std::string& what, const std::string& where)
 {
-  if (!(value <= MostExtentPx))
+  if (!(value <= MaxExtentPx))
   {
     throw Error(where, what + " is out of range", NumberText(value),
-      "at most " + std::to_string(MostExtentPx));
+      "at most " + std::to_string(MaxExtentPx));
   }
   return value > 0 ? static_cast<int>(value) : 0;
 }

@@ -20,7 +20,7 @@ namespace
 /** The numbers of coefficients that OpenCV's perspective model comes with. */
 constexpr std::array<std::size_t, 5> PerspectiveCounts{ 4, 5, 8, 12, 14 };
 constexpr std::size_t FisheyeCount = 4;
-constexpr double MostCoefficient = 1e6; ///< of either sign; those of real lenses are far below
+constexpr double MaxCoefficient = 1e6; ///< of either sign; those of real lenses are far below
 
 /** The coefficients with zeros at the end, as many as OpenCV wants. */
 cv::Mat Padded(const Lens& lens)
@@ -134,7 +134,7 @@ void ValidateLens(const Lens& lens, const std::string& where)
     {
       throw Error(where, "distortion has numbers that are not finite");
     }
-    if (std::abs(coefficient) > MostCoefficient)
+    if (std::abs(coefficient) > MaxCoefficient)
     {
       throw Error(
         where, "distortion coefficient is out of range", NumberText(coefficient), "-1e6 to 1e6");

@@ -17,10 +17,10 @@ std::string Rounded(double value)
 }
 
 /** The parts of one camera that speak for themselves. */
-void LookAtCamera(const Camera& camera, int id, std::vector<CameraOddity>& oddities)
+void InspectCamera(const Camera& camera, int id, std::vector<CameraAnomaly>& anomalies)
 {
   const auto add = [&](const char* kind, const std::string& text) {
-    oddities.push_back({ kind, id, text, -1 });
+    anomalies.push_back({ kind, id, text, -1 });
   };
   const double longer = std::max(camera.Width, camera.Height);
   const Eigen::Vector2d principal = camera.K.block<2, 1>(0, 2);
@@ -61,7 +61,7 @@ double RigExtent(const std::vector<Photograph>& cameras)
   return extent;
 }
 
-void FindSameCameras(const std::vector<Photograph>& cameras, std::vector<CameraOddity>& oddities)
+void FindSameCameras(const std::vector<Photograph>& cameras, std::vector<CameraAnomaly>& anomalies)
 {
   constexpr double Nearly = 1e-6; // of the rig; as radians less than any calibration knows
   const double extent = RigExtent(cameras);
@@ -73,7 +73,7 @@ void FindSameCameras(const std::vector<Photograph>& cameras, std::vector<CameraO
       const Camera& b = cameras[j].Cam;
       if ((a.Centre() - b.Centre()).norm() <= Nearly * extent && (a.R - b.R).norm() <= Nearly)
       {
-        oddities.push_back({ "same-camera", static_cast<int>(i),
+        anomalies.push_back({ "same-camera", static_cast<int>(i),
           "its camera is that of " + cameras[j].Name +
             ": the same photograph again, or a wrong pose",
           static_cast<int>(j) });
@@ -84,7 +84,7 @@ void FindSameCameras(const std::vector<Photograph>& cameras, std::vector<CameraO
 }
 
 /** The largest part of the other cameras that have one point of the camera's axis in the frame. */
-double SharedSight(const std::vector<Photograph>& cameras, std::size_t id, double scale)
+double SharedViewFraction(const std::vector<Photograph>& cameras, std::size_t id, double scale)
 {
   constexpr int Steps = 256;
   const Camera& camera = cameras[id].Cam;
@@ -108,27 +108,27 @@ double SharedSight(const std::vector<Photograph>& cameras, std::size_t id, doubl
 }
 }
 
-std::vector<CameraOddity> FindCameraOddities(const std::vector<Photograph>& cameras)
+std::vector<CameraAnomaly> FindCameraAnomalies(const std::vector<Photograph>& cameras)
 {
-  std::vector<CameraOddity> oddities;
+  std::vector<CameraAnomaly> anomalies;
   for (std::size_t i = 0; i < cameras.size(); ++i)
   {
-    LookAtCamera(cameras[i].Cam, static_cast<int>(i), oddities);
+    InspectCamera(cameras[i].Cam, static_cast<int>(i), anomalies);
   }
-  FindSameCameras(cameras, oddities);
+  FindSameCameras(cameras, anomalies);
   const double extent = RigExtent(cameras);
   for (std::size_t i = 0; i < cameras.size() && extent > 0; ++i)
   {
-    const double share = SharedSight(cameras, i, extent);
+    const double share = SharedViewFraction(cameras, i, extent);
     if (share < 0.5)
     {
-      oddities.push_back({ "frustum", static_cast<int>(i),
+      anomalies.push_back({ "frustum", static_cast<int>(i),
         "no point of its axis lies in the frames of more than " +
           std::to_string(static_cast<int>(std::lround(100 * share))) +
           " % of the other cameras: its pose is wrong, or it looks elsewhere",
         -1 });
     }
   }
-  return oddities;
+  return anomalies;
 }
 }

@@ -11,7 +11,7 @@
 namespace novelview
 {
 /** Something odd about a camera. */
-struct CameraOddity
+struct CameraAnomaly
 {
   std::string Kind; ///< "principal-point", "focal-length", "aspect", "rotation", "same-camera",
                     ///< "frustum"
@@ -30,7 +30,7 @@ struct CameraOddity
  *  - same-camera: another one stands at the same place and looks the same way
  *  - frustum: no point on its axis lies in the frames of half of the others
  */
-std::vector<CameraOddity> FindCameraOddities(const std::vector<Photograph>& cameras);
+std::vector<CameraAnomaly> FindCameraAnomalies(const std::vector<Photograph>& cameras);
 }
 
 #endif

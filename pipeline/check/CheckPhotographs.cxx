@@ -97,7 +97,7 @@ double MeasureSharpness(
   return coarser > 0 ? finest / coarser : 0;
 }
 
-CheckedPhotograph LookAtPhotograph(
+CheckedPhotograph InspectPhotograph(
   const Photograph& photograph, bool forceSilhouette, const SilhouetteOptions& silhouette)
 {
   CheckedPhotograph checked;

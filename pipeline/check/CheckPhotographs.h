@@ -31,7 +31,7 @@ struct CheckedPhotograph
  * Reads a photograph and its mask, or extracts the silhouette where there is none, and measures
  * them. What cannot be read or does not fit becomes a problem, not an error.
  */
-CheckedPhotograph LookAtPhotograph(
+CheckedPhotograph InspectPhotograph(
   const Photograph& photograph, bool forceSilhouette, const SilhouetteOptions& silhouette);
 
 /**

@@ -6,7 +6,7 @@
 #include "formats/DatasetFormats.h"
 #include "images/OpenCvPixels.h"
 #include "silhouettes/ContourDistance.h"
-#include "silhouettes/HullAgreement.h"
+#include "silhouettes/HullConsistency.h"
 
 #include <opencv2/imgproc.hpp>
 
@@ -157,7 +157,7 @@ struct Tally
     : Without(views, 0)
   {
   }
-  void Add(const RayAgreement& ray)
+  void Add(const RayConsistency& ray)
   {
     ++this->Rays;
     this->Agreeing += ray.Residual >= -TolerancePx;
@@ -178,7 +178,7 @@ struct Tally
 };
 
 std::vector<Tally> TallyOf(const std::vector<SilhouetteRay>& rays,
-  const std::vector<RayAgreement>& agreements, std::size_t views)
+  const std::vector<RayConsistency>& agreements, std::size_t views)
 {
   std::vector<Tally> tallies(views, Tally(views));
   for (std::size_t i = 0; i < rays.size(); ++i)
@@ -228,12 +228,12 @@ AgreementSurvey SurveyAgreement(
   const std::vector<View>& views, int rays, const Execution& execution)
 {
   AgreementSurvey survey;
-  AgreementOptions options;
+  HullConsistencyOptions options;
   options.WithoutEach = true;
   const std::vector<SilhouetteRay> area = AllRays(views, rays, AreaRays);
   const auto areaAgreements = FollowSilhouetteRays(views, area, options, execution);
   FillIou(TallyOf(area, areaAgreements, views.size()), survey);
-  for (const RayAgreement& agreement : areaAgreements)
+  for (const RayConsistency& agreement : areaAgreements)
   {
     if (agreement.Residual >= 0)
     {
@@ -252,7 +252,7 @@ AgreementSurvey SurveyAgreement(
       count += v == k ? 0 : tallies[v].Rays;
       freed += v == k ? 0 : tallies[v].Without[k] - tallies[v].Agreeing;
     }
-    survey.Against.push_back(count > 0 ? freed / count : 0);
+    survey.ExclusivelyCarved.push_back(count > 0 ? freed / count : 0);
   }
   return survey;
 }
@@ -408,7 +408,7 @@ namespace
 std::vector<double> ContourLoss(const std::vector<View>& views,
   const std::vector<SilhouetteRay>& rays, double shiftPx, const Execution& execution)
 {
-  constexpr double MostPx = 3; // what is further off says nothing about half pixels
+  constexpr double MaxPx = 3; // what is further off says nothing about half pixels
   std::vector<View> shifted = views;
   std::vector<SilhouetteRay> through = rays;
   for (View& view : shifted)
@@ -420,7 +420,7 @@ std::vector<double> ContourLoss(const std::vector<View>& views,
   const auto agreements = FollowSilhouetteRays(shifted, through, {}, execution);
   for (std::size_t i = 0; i < rays.size(); ++i)
   {
-    loss[rays[i].ViewId] += std::clamp(-static_cast<double>(agreements[i].Residual), 0.0, MostPx);
+    loss[rays[i].ViewId] += std::clamp(-static_cast<double>(agreements[i].Residual), 0.0, MaxPx);
     count[rays[i].ViewId] += 1;
   }
   for (std::size_t v = 0; v < loss.size(); ++v)

@@ -81,7 +81,7 @@ struct AgreementSurvey
    * Part of the other views' contour rays that would meet the hull but for this view, among those
    * whose rays do not.
    */
-  std::vector<double> Against;
+  std::vector<double> ExclusivelyCarved;
   /** The mean of Iou over the others if this view were left out. */
   std::vector<double> MeanIouWithout;
   /** The best mean with at most one view left out. */

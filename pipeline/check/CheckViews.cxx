@@ -15,14 +15,14 @@ namespace
 {
 constexpr int TotalRays = 2400; ///< of each kind, over all views
 
-/** From this part of the others' contour rays on, a view that stands out is blamed. */
-constexpr double LeastAgainst = 0.05;
+/** From this part of the others' contour rays on, a view that stands out is outlier. */
+constexpr double MinExclusivelyCarved = 0.05;
 /** It stands out by so many times the median view. */
 constexpr double Outstanding = 4;
 /** A silhouette so much less in the hull than the median one holds what the object is not. */
 constexpr double LowIou = 0.08;
 /** What views that belong together have at least. */
-constexpr double LeastMean = 0.9;
+constexpr double MinMean = 0.9;
 
 std::string Percent(double share)
 {
@@ -46,7 +46,7 @@ double MaskIou(const Image<std::uint8_t>& a, const Image<std::uint8_t>& b)
   return either > 0 ? both / either : 0;
 }
 
-ViewExamination::ViewExamination(const std::vector<Photograph>& cameras,
+OutlierSearch::OutlierSearch(const std::vector<Photograph>& cameras,
   CheckedSilhouettes& silhouettes, const std::vector<FoundMask>& masks,
   const SilhouetteOptions& silhouette, const Execution& execution)
   : Cameras(cameras)
@@ -55,36 +55,38 @@ ViewExamination::ViewExamination(const std::vector<Photograph>& cameras,
   , Extraction(silhouette)
   , Run(execution)
   , Active(silhouettes.Ids())
-  , ShareAgainst(cameras.size(), 0)
+  , ExclusivelyCarved(cameras.size(), 0)
 {
 }
 
-std::string ViewExamination::BlamedNames() const
+std::string OutlierSearch::OutlierNames() const
 {
   std::vector<std::string> names;
-  for (const BlamedView& blamed : this->Found)
+  for (const OutlierView& outlier : this->Found)
   {
-    names.push_back(this->Cameras[blamed.CameraId].Name);
+    names.push_back(this->Cameras[outlier.CameraId].Name);
   }
   return Joined(names, ",");
 }
 
-AgreementSurvey ViewExamination::Survey(const std::vector<int>& ids) const
+AgreementSurvey OutlierSearch::Survey(const std::vector<int>& ids) const
 {
   const int rays = std::clamp(TotalRays / std::max(static_cast<int>(ids.size()), 1), 40, 400);
   return SurveyAgreement(this->Silhouettes.ViewsOf(this->Cameras, ids), rays, this->Run);
 }
 
 /** The view to be left out next, as an index into what was surveyed. */
-std::optional<std::size_t> ViewExamination::Suspect(const AgreementSurvey& survey)
+std::optional<std::size_t> OutlierSearch::Suspect(const AgreementSurvey& survey)
 {
   if (survey.Iou.size() < 3)
   {
     return std::nullopt;
   }
   const std::size_t most = static_cast<std::size_t>(
-    std::max_element(survey.Against.begin(), survey.Against.end()) - survey.Against.begin());
-  if (survey.Against[most] > std::max(LeastAgainst, Outstanding * Quantile(survey.Against, 0.5)))
+    std::max_element(survey.ExclusivelyCarved.begin(), survey.ExclusivelyCarved.end()) -
+    survey.ExclusivelyCarved.begin());
+  if (survey.ExclusivelyCarved[most] >
+    std::max(MinExclusivelyCarved, Outstanding * Quantile(survey.ExclusivelyCarved, 0.5)))
   {
     return most;
   }
@@ -97,7 +99,7 @@ std::optional<std::size_t> ViewExamination::Suspect(const AgreementSurvey& surve
   return std::nullopt;
 }
 
-void ViewExamination::LeaveOut()
+void OutlierSearch::LeaveOut()
 {
   const std::size_t most = std::max<std::size_t>(1, this->Active.size() / 3);
   while (this->Out.size() < most)
@@ -108,7 +110,7 @@ void ViewExamination::LeaveOut()
       return;
     }
     const int id = this->Active[*suspect];
-    this->ShareAgainst[id] = this->Last.Against[*suspect];
+    this->ExclusivelyCarved[id] = this->Last.ExclusivelyCarved[*suspect];
     this->Out.push_back(id);
     this->Active.erase(this->Active.begin() + static_cast<std::ptrdiff_t>(*suspect));
     this->Last = this->Survey(this->Active);
@@ -116,26 +118,26 @@ void ViewExamination::LeaveOut()
 }
 
 /** Whether these views, which are left out, agree with those that are not. */
-bool ViewExamination::AgreesWithRest(const std::vector<int>& more) const
+bool OutlierSearch::AgreesWithRest(const std::vector<int>& more) const
 {
   std::vector<int> ids = this->Active;
   ids.insert(ids.end(), more.begin(), more.end());
   const AgreementSurvey survey = this->Survey(ids);
   for (std::size_t i = this->Active.size(); i < ids.size(); ++i)
   {
-    const bool against =
-      survey.Against[i] > std::max(LeastAgainst, Outstanding * Quantile(survey.Against, 0.5));
+    const bool against = survey.ExclusivelyCarved[i] >
+      std::max(MinExclusivelyCarved, Outstanding * Quantile(survey.ExclusivelyCarved, 0.5));
     if (against || survey.Iou[i] < Quantile(survey.Iou, 0.5) - LowIou)
     {
       return false;
     }
   }
   // A rest that does not agree by itself proves nothing.
-  return survey.MeanIou > LeastMean;
+  return survey.MeanIou > MinMean;
 }
 
 /** Views that were left out while another one was the culprit. */
-void ViewExamination::TakeBack()
+void OutlierSearch::Reinstate()
 {
   const std::vector<int> out = this->Out;
   for (const int id : out)
@@ -154,7 +156,7 @@ void ViewExamination::TakeBack()
 }
 
 /** Whether a view that is left out agrees with another silhouette. */
-bool ViewExamination::AgreesWith(int id, const FoundMask& mask, bool invert)
+bool OutlierSearch::AgreesWith(int id, const FoundMask& mask, bool invert)
 {
   CheckedSilhouettes kept = this->Silhouettes;
   const bool agrees =
@@ -164,19 +166,19 @@ bool ViewExamination::AgreesWith(int id, const FoundMask& mask, bool invert)
 }
 
 /** What stands against a view, in words. */
-std::string ViewExamination::Against(int id) const
+std::string OutlierSearch::DescribeExclusivelyCarved(int id) const
 {
   const auto used = std::find(this->Silhouettes.Ids().begin(), this->Silhouettes.Ids().end(), id);
   const double iou =
     this->First.Iou[static_cast<std::size_t>(used - this->Silhouettes.Ids().begin())];
-  return this->ShareAgainst[id] > LeastAgainst
-    ? "it alone rules out " + Percent(this->ShareAgainst[id]) +
+  return this->ExclusivelyCarved[id] > MinExclusivelyCarved
+    ? "it alone rules out " + Percent(this->ExclusivelyCarved[id]) +
       " of where the others see the object's outline"
     : "only " + Percent(iou) + " of its silhouette lies in the hull";
 }
 
 /** Two views whose silhouettes agree when they are swapped. */
-void ViewExamination::ExplainSwaps()
+void OutlierSearch::ExplainSwaps()
 {
   for (std::size_t i = 0; i < this->Out.size(); ++i)
   {
@@ -210,9 +212,9 @@ void ViewExamination::ExplainSwaps()
 }
 
 /** Asks the photograph itself. */
-BlamedView ViewExamination::ExplainByPhotograph(int id)
+OutlierView OutlierSearch::ExplainByPhotograph(int id)
 {
-  const std::string against = this->Against(id);
+  const std::string against = this->DescribeExclusivelyCarved(id);
   const FoundMask& mask = this->Masks[id];
   if (mask.Source == MaskSource::Extracted)
   {
@@ -237,7 +239,7 @@ BlamedView ViewExamination::ExplainByPhotograph(int id)
   return { id, "view", "does not fit the others: " + against + "; its mask or camera is wrong" };
 }
 
-BlamedView ViewExamination::ExplainOne(int id)
+OutlierView OutlierSearch::ExplainOne(int id)
 {
   const FoundMask& mask = this->Masks[id];
   if (mask.Source != MaskSource::Extracted)
@@ -263,7 +265,7 @@ BlamedView ViewExamination::ExplainOne(int id)
   return this->ExplainByPhotograph(id);
 }
 
-void ViewExamination::Explain()
+void OutlierSearch::Explain()
 {
   this->ExplainSwaps();
   for (const int id : this->Out)
@@ -271,10 +273,10 @@ void ViewExamination::Explain()
     this->Found.push_back(this->ExplainOne(id));
   }
   std::sort(this->Found.begin(), this->Found.end(),
-    [](const BlamedView& a, const BlamedView& b) { return a.CameraId < b.CameraId; });
+    [](const OutlierView& a, const OutlierView& b) { return a.CameraId < b.CameraId; });
 }
 
-void ViewExamination::Examine(std::vector<CheckedCamera>& agreement)
+void OutlierSearch::Examine(std::vector<CheckedCamera>& agreement)
 {
   agreement.assign(this->Cameras.size(), {});
   if (this->Active.size() < 2)
@@ -285,8 +287,8 @@ void ViewExamination::Examine(std::vector<CheckedCamera>& agreement)
   const std::vector<int> all = this->Active;
   this->Last = this->First;
   this->LeaveOut();
-  this->TakeBack();
-  if (this->Last.MeanIou < LeastMean)
+  this->Reinstate();
+  if (this->Last.MeanIou < MinMean)
   {
     // Nothing is won by leaving these out, so there is no reason to blame them.
     this->Out.clear();
@@ -299,11 +301,11 @@ void ViewExamination::Examine(std::vector<CheckedCamera>& agreement)
     CheckedCamera& camera = agreement[all[i]];
     camera.TakesPart = true;
     camera.Iou = this->First.Iou[i];
-    camera.Against = this->First.Against[i];
+    camera.ExclusivelyCarved = this->First.ExclusivelyCarved[i];
   }
-  for (const BlamedView& blamed : this->Found)
+  for (const OutlierView& outlier : this->Found)
   {
-    agreement[blamed.CameraId].Blamed = true;
+    agreement[outlier.CameraId].Outlier = true;
   }
   for (std::size_t i = 0; i < this->Active.size() && !this->Found.empty(); ++i)
   {

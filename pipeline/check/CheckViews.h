@@ -15,7 +15,7 @@ namespace novelview
 struct CheckedCamera;
 
 /** A view that does not belong to the others. */
-struct BlamedView
+struct OutlierView
 {
   int CameraId = 0;
   std::string Kind; ///< "swapped", "mask-inverted", "mask-of-another", "mask", "camera" or "view"
@@ -30,21 +30,21 @@ double MaskIou(const Image<std::uint8_t>& a, const Image<std::uint8_t>& b);
  * them), takes back those that agree with the rest after all, and looks for what mends each: its mask
  * inverted, that of another, or the silhouette that its photograph shows.
  */
-class ViewExamination
+class OutlierSearch
 {
 public:
-  ViewExamination(const std::vector<Photograph>& cameras, CheckedSilhouettes& silhouettes,
+  OutlierSearch(const std::vector<Photograph>& cameras, CheckedSilhouettes& silhouettes,
     const std::vector<FoundMask>& masks, const SilhouetteOptions& silhouette,
     const Execution& execution);
 
   /** Does it; fills in one entry per camera. */
   void Examine(std::vector<CheckedCamera>& agreement);
 
-  const std::vector<BlamedView>& Blamed() const { return this->Found; }
+  const std::vector<OutlierView>& Outliers() const { return this->Found; }
   /** Their names, with commas. */
-  std::string BlamedNames() const;
+  std::string OutlierNames() const;
   double MeanIou() const { return this->First.MeanIou; }
-  /** The same without the blamed ones. */
+  /** The same without the outlier ones. */
   double MeanIouAfter() const { return this->Last.MeanIou; }
   const std::vector<Eigen::Vector3d>& HullPoints() const { return this->Last.Points; }
 
@@ -52,26 +52,26 @@ private:
   AgreementSurvey Survey(const std::vector<int>& ids) const;
   static std::optional<std::size_t> Suspect(const AgreementSurvey& survey);
   void LeaveOut();
-  void TakeBack();
+  void Reinstate();
   bool AgreesWithRest(const std::vector<int>& more) const;
   bool AgreesWith(int id, const FoundMask& mask, bool invert);
   void Explain();
   void ExplainSwaps();
-  BlamedView ExplainOne(int id);
-  BlamedView ExplainByPhotograph(int id);
-  std::string Against(int id) const;
+  OutlierView ExplainOne(int id);
+  OutlierView ExplainByPhotograph(int id);
+  std::string DescribeExclusivelyCarved(int id) const;
 
   const std::vector<Photograph>& Cameras;
   CheckedSilhouettes& Silhouettes;
   const std::vector<FoundMask>& Masks;
   const SilhouetteOptions& Extraction;
   const Execution& Run;
-  std::vector<int> Active;          ///< ids of the views that are not blamed
-  std::vector<int> Out;             ///< ids of those that are
-  std::vector<double> ShareAgainst; ///< by camera, when it was blamed
-  AgreementSurvey First;            ///< of all
-  AgreementSurvey Last;             ///< of Active
-  std::vector<BlamedView> Found;
+  std::vector<int> Active;               ///< ids of the views that are not outlier
+  std::vector<int> Out;                  ///< ids of those that are
+  std::vector<double> ExclusivelyCarved; ///< by camera, when it was outlier
+  AgreementSurvey First;                 ///< of all
+  AgreementSurvey Last;                  ///< of Active
+  std::vector<OutlierView> Found;
 };
 }
 

@@ -35,10 +35,10 @@ std::string ShellWord(const std::string& word)
 }
 
 /** Examines one data set, step by step; each step adds to the report. */
-class Examination
+class DatasetChecker
 {
 public:
-  Examination(const DatasetInput& input, const Execution& execution)
+  DatasetChecker(const DatasetInput& input, const Execution& execution)
     : Input(input)
     , Quiet(execution)
     , Progress(execution)
@@ -51,10 +51,10 @@ public:
     this->ReadPhotographs();
     this->FindConvention();
     this->Progress.Report(0.6);
-    this->SayPhotographs();
-    this->SayMasks();
-    this->SayOutliers();
-    this->SayCameras();
+    this->ReportPhotographs();
+    this->ReportMasks();
+    this->ReportOutliers();
+    this->ReportCameras();
     this->CompareSilhouettes();
     this->Progress.Report(0.9);
     this->ComparePixelCentre();
@@ -72,14 +72,14 @@ private:
   }
 
   /** The photographs as they are with the masks' polarity as `source` says. */
-  void Look(const std::vector<Photograph>& cameras)
+  void Inspect(const std::vector<Photograph>& cameras)
   {
     this->Report.Photographs.assign(cameras.size(), {});
     ParallelForEach(cameras.size(),
       [&](std::size_t i)
       {
         this->Report.Photographs[i] =
-          LookAtPhotograph(cameras[i], this->Input.ForceSilhouettes, this->Input.Silhouette);
+          InspectPhotograph(cameras[i], this->Input.ForceSilhouettes, this->Input.Silhouette);
       });
   }
 
@@ -107,7 +107,7 @@ private:
     this->Report.Calibration = this->Index.Calibration;
     this->Report.Format = this->Index.Format;
     this->Progress.Report(0);
-    this->Look(WithoutExcluded(this->Index, this->Input.Exclude));
+    this->Inspect(WithoutExcluded(this->Index, this->Input.Exclude));
     this->TakeCameras(this->Index);
     for (const CheckedPhotograph& photograph : this->Report.Photographs)
     {
@@ -178,13 +178,13 @@ private:
     this->Index = ReadDatasetIndex(this->Input.Dataset, source);
     if (this->Report.MasksInverted)
     {
-      this->Look(WithoutExcluded(this->Index, this->Input.Exclude));
+      this->Inspect(WithoutExcluded(this->Index, this->Input.Exclude));
     }
     this->TakeCameras(this->Index);
-    this->SayConvention(own, chosen);
+    this->ReportConvention(own, chosen);
   }
 
-  void SayConvention(const CameraConvention& own, const ConventionTrial& chosen)
+  void ReportConvention(const CameraConvention& own, const ConventionTrial& chosen)
   {
     CheckFinding finding;
     finding.Severity = CheckSeverity::Error;
@@ -242,7 +242,7 @@ private:
   }
 
   //----------------------------------------------------------------------------
-  void SayPhotographs()
+  void ReportPhotographs()
   {
     for (const CheckedPhotograph& photograph : this->Report.Photographs)
     {
@@ -296,7 +296,7 @@ private:
     return stray;
   }
 
-  void SayMasks()
+  void ReportMasks()
   {
     std::vector<std::string> without;
     std::size_t given = 0;
@@ -342,7 +342,7 @@ private:
     return values;
   }
 
-  void SayOutliers()
+  void ReportOutliers()
   {
     const std::vector<double> sharpness = this->Values(&CheckedPhotograph::Sharpness);
     for (const std::size_t i : FindOutliers(sharpness, 1.4, { true, false }))
@@ -374,7 +374,7 @@ private:
     }
   }
 
-  void SayCameras()
+  void ReportCameras()
   {
     // Of a photograph that cannot be read the size is not known.
     std::vector<Photograph> sized;
@@ -387,13 +387,13 @@ private:
         ids.push_back(static_cast<int>(i));
       }
     }
-    for (const CameraOddity& oddity : FindCameraOddities(sized))
+    for (const CameraAnomaly& anomaly : FindCameraAnomalies(sized))
     {
-      const int id = ids[oddity.CameraId];
-      const bool harmless = oddity.Kind == "rotation" ||
-        (oddity.Kind == "same-camera" && this->ShowTheSame(id, ids[oddity.OtherId]));
-      this->Add(harmless ? CheckSeverity::Note : CheckSeverity::Warning, oddity.Kind,
-        sized[oddity.CameraId].Name, oddity.Text);
+      const int id = ids[anomaly.CameraId];
+      const bool harmless = anomaly.Kind == "rotation" ||
+        (anomaly.Kind == "same-camera" && this->ShowTheSame(id, ids[anomaly.OtherId]));
+      this->Add(harmless ? CheckSeverity::Note : CheckSeverity::Warning, anomaly.Kind,
+        sized[anomaly.CameraId].Name, anomaly.Text);
     }
   }
 
@@ -407,26 +407,26 @@ private:
   void CompareSilhouettes()
   {
     CheckedSilhouettes silhouettes(this->Report.Cameras, this->Masks, this->Invert);
-    ViewExamination views(
+    OutlierSearch views(
       this->Report.Cameras, silhouettes, this->Masks, this->Input.Silhouette, this->Quiet);
     views.Examine(this->Report.Agreement);
     this->Report.MeanIou = views.MeanIou();
     this->Report.HullPoints = views.HullPoints();
-    if (!views.Blamed().empty())
+    if (!views.Outliers().empty())
     {
       this->Report.MeanIouAfter = views.MeanIouAfter();
     }
-    for (const BlamedView& blamed : views.Blamed())
+    for (const OutlierView& outlier : views.Outliers())
     {
       // What takes little from the hull can be lived with.
       const bool grave = views.MeanIou() < Agreeing;
-      CheckFinding finding{ grave ? CheckSeverity::Error : CheckSeverity::Warning, blamed.Kind,
-        this->Report.Cameras[blamed.CameraId].Name, blamed.Text, {}, {} };
+      CheckFinding finding{ grave ? CheckSeverity::Error : CheckSeverity::Warning, outlier.Kind,
+        this->Report.Cameras[outlier.CameraId].Name, outlier.Text, {}, {} };
       finding.Options = { "--exclude", finding.View };
-      finding.Command = this->Command("check", { "--exclude", views.BlamedNames() }, "--format");
+      finding.Command = this->Command("check", { "--exclude", views.OutlierNames() }, "--format");
       this->Report.Findings.push_back(finding);
     }
-    const double mean = views.Blamed().empty() ? views.MeanIou() : views.MeanIouAfter();
+    const double mean = views.Outliers().empty() ? views.MeanIou() : views.MeanIouAfter();
     if (silhouettes.Ids().size() >= 2 && mean < Agreeing)
     {
       this->Add(mean < Convincing ? CheckSeverity::Error : CheckSeverity::Warning, "inconsistent",
@@ -511,6 +511,6 @@ const char* SeverityName(CheckSeverity severity)
 
 CheckReport CheckDataset(const DatasetInput& input, const Execution& execution)
 {
-  return Examination(input, execution).Examine();
+  return DatasetChecker(input, execution).Examine();
 }
 }

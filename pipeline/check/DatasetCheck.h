@@ -36,10 +36,10 @@ struct CheckFinding
 struct CheckedCamera
 {
   bool TakesPart = false;         ///< it has a silhouette
-  bool Blamed = false;            ///< its silhouette does not belong to the others
+  bool Outlier = false;           ///< its silhouette does not belong to the others
   double Iou = 0;                 ///< of its silhouette and the hull of all, see AgreementSurvey
-  std::optional<double> IouAfter; ///< the same without the blamed ones
-  double Against = 0;             ///< part of the others' contour rays that it alone rules out
+  std::optional<double> IouAfter; ///< the same without the outlier ones
+  double ExclusivelyCarved = 0;   ///< part of the others' contour rays that it alone rules out
 };
 
 struct CheckReport
@@ -51,7 +51,7 @@ struct CheckReport
   std::vector<Photograph> Cameras;            ///< read in the convention that was found right
   std::vector<CheckedCamera> Agreement;       ///< one per camera
   double MeanIou = 0;                         ///< of those that take part
-  std::optional<double> MeanIouAfter;         ///< of those that are not blamed, when some are
+  std::optional<double> MeanIouAfter;         ///< of those that are not outlier, when some are
   std::vector<ConventionTrial> Trials;        ///< the first is how the calibration is read
   int ChosenTrial = 0;
   bool MasksInverted = false; ///< the masks are the other way round than they were read

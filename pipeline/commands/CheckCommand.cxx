@@ -88,8 +88,9 @@ std::string ViewRow(const CheckReport& report, std::size_t i, std::size_t nameWi
     "  {:>3}  {:<{}}  {:<10} {:<9} {:>6.1f} % {:<4}  {:>5.2f}  {:>6.0f}", i, photograph.Name,
     nameWidth, size, MaskText(photograph.Mask.Source), 100 * photograph.Covered.Fraction,
     SidesText(photograph.Covered), photograph.Sharpness, photograph.Brightness);
-  row += camera.TakesPart ? fmt::format("  {:>6.3f}  {:>5.1f} %", camera.Iou, 100 * camera.Against)
-                          : "       -        -";
+  row += camera.TakesPart
+    ? fmt::format("  {:>6.3f}  {:>5.1f} %", camera.Iou, 100 * camera.ExclusivelyCarved)
+    : "       -        -";
   if (report.MeanIouAfter)
   {
     row += camera.IouAfter ? fmt::format("  {:>6.3f}", *camera.IouAfter) : "       -";
@@ -110,7 +111,7 @@ std::string FindingLine(const CheckFinding& finding)
 }
 
 /** Tells of problems where the table is not to be seen. */
-void TellProblems(const CheckReport& report, Console& console)
+void ReportProblems(const CheckReport& report, Console& console)
 {
   for (const CheckFinding& finding : report.Findings)
   {
@@ -148,8 +149,8 @@ Json ViewJson(const CheckReport& report, std::size_t i)
     { "brightness", photograph.Brightness }, { "clipped", photograph.Clipped } };
   view["hullIou"] = camera.TakesPart ? Json(camera.Iou) : Json();
   view["hullIouWithoutBlamed"] = camera.IouAfter ? Json(*camera.IouAfter) : Json();
-  view["against"] = camera.TakesPart ? Json(camera.Against) : Json();
-  view["blamed"] = camera.Blamed;
+  view["against"] = camera.TakesPart ? Json(camera.ExclusivelyCarved) : Json();
+  view["blamed"] = camera.Outlier;
   return view;
 }
 
@@ -255,7 +256,7 @@ bool RunCheck(const CheckOptions& options, Console& console)
   }
   if (console.IsQuiet())
   {
-    TellProblems(report, console);
+    ReportProblems(report, console);
   }
   if (!options.Out.empty())
   {

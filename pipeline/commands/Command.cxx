@@ -92,7 +92,8 @@ std::vector<Command> CommandTable()
       RunView),
     Shared(
       "render", "make many novel views from one hull and crust", MakeRenderOptions, RenderViews),
-    Shared("orbit", "make a film of the object from a moving camera", MakeOrbitOptions, FilmOrbit),
+    Shared(
+      "orbit", "make a film of the object from a moving camera", MakeOrbitOptions, RenderOrbit),
     Single("mesh", "make a textured mesh of the whole object", JobHelp, MakeMeshOptions, MakeMesh),
     Shared("evaluate", "compare novel views with photographs that no stage saw",
       MakeEvaluateOptions, EvaluateDataset),

@@ -13,7 +13,7 @@
 #include "evaluate/EvaluationScores.h"
 #include "images/ImageFile.h"
 #include "mesh/ObjectMesh.h"
-#include "processes/SharedWork.h"
+#include "processes/WorkDistributor.h"
 #include "report/RunReport.h"
 
 #include <nlohmann/json.hpp>
@@ -90,7 +90,7 @@ fs::path PictureOf(const std::string& view, const std::string& stage)
 }
 
 /** With pictures of more views a page would be larger than browsers like. */
-constexpr std::size_t MostShots = 24;
+constexpr std::size_t MaxShots = 24;
 
 /** One evaluation: what is made of the plan, and what is left in the folder. */
 class Evaluation
@@ -289,7 +289,7 @@ private:
           this->Options.Out / PictureOf(view.Name, stage), result.Images[i], arrays::Color);
       }
     }
-    if (this->Options.Page && this->Options.Pictures && this->Shots.size() < MostShots)
+    if (this->Options.Page && this->Options.Pictures && this->Shots.size() < MaxShots)
     {
       std::vector<std::pair<std::string, vtkImageData*>> shown;
       for (std::size_t i = 0; i < view.Stages.size(); ++i)
@@ -357,7 +357,7 @@ private:
   const EvaluateOptions& Options;
   const DatasetIndex& Index;
   Console& Con;
-  SharedWork Work;
+  WorkDistributor Work;
   const EvaluationPlan Plan;
   const std::string Title;
   vtkSmartPointer<vtkPolyData> TrueMesh;

@@ -8,8 +8,8 @@
 #include "core/Error.h"
 #include "formats/Middlebury.h"
 #include "images/ImageFile.h"
-#include "processes/SharedWork.h"
-#include "video/FramePlan.h"
+#include "processes/WorkDistributor.h"
+#include "video/CameraTrajectory.h"
 #include "video/VideoFile.h"
 
 #include <cstdio>
@@ -98,7 +98,7 @@ private:
 
 /** Makes every frame and hands it, in order, to the folder and to the video if there is one. */
 void MakeFrames(const OrbitOptions& options, const std::vector<Camera>& cameras,
-  Synthesis& synthesis, SharedWork& work, Console& console, VideoFile* video)
+  Synthesis& synthesis, WorkDistributor& work, Console& console, VideoFile* video)
 {
   const FrameFolder folder(FramesFolder(options), cameras);
   const auto make = [&](std::size_t frame)
@@ -140,9 +140,9 @@ void MakeFrames(const OrbitOptions& options, const std::vector<Camera>& cameras,
 }
 }
 
-void FilmOrbit(const OrbitOptions& options, Console& console, ProcessGroup& processes)
+void RenderOrbit(const OrbitOptions& options, Console& console, ProcessGroup& processes)
 {
-  SharedWork work(console, processes, options.Threads);
+  WorkDistributor work(console, processes, options.Threads);
   CheckOut(options.Out);
   const DatasetIndex index = FindInput(options.Input);
   const std::vector<Camera> cameras = CamerasOfFrames(options, index, options.Input.Exclude);

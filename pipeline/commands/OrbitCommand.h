@@ -18,7 +18,7 @@ namespace novelview
  *
  * Throws UsageError, Error, naming the frame, and Interrupted when the console asks for a stop.
  */
-void FilmOrbit(const OrbitOptions& options, Console& console, ProcessGroup& processes);
+void RenderOrbit(const OrbitOptions& options, Console& console, ProcessGroup& processes);
 }
 
 #endif

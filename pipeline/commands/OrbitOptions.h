@@ -3,7 +3,7 @@
 #define novelview_OrbitOptions_h
 
 #include "commands/MethodOptions.h"
-#include "video/FramePlan.h"
+#include "video/CameraTrajectory.h"
 
 #include <filesystem>
 #include <string>

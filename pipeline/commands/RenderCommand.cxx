@@ -6,7 +6,7 @@
 #include "commands/CommandSupport.h"
 #include "dataset/ViewSpec.h"
 #include "images/ImageFile.h"
-#include "processes/SharedWork.h"
+#include "processes/WorkDistributor.h"
 
 namespace novelview
 {
@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 void RenderViews(const RenderOptions& options, Console& console, ProcessGroup& processes)
 {
-  SharedWork work(console, processes, options.Threads);
+  WorkDistributor work(console, processes, options.Threads);
   const DatasetIndex index = FindInput(options.Input);
   const std::vector<Photograph> cameras = ReadViewCameras(options.Cameras);
   std::vector<fs::path> pictures;

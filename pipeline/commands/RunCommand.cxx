@@ -121,7 +121,7 @@ void WritePage(RunPageInput input, const std::string& jobText, const Console& co
 }
 
 /** Says the scores, and where the results are. */
-void TellResult(const RunOptions& options, const RunReport& report, Console& console)
+void ReportResult(const RunOptions& options, const RunReport& report, Console& console)
 {
   for (const auto& [name, scores] : report.Stages())
   {
@@ -154,7 +154,7 @@ void RunView(const RunOptions& options, Console& console)
     view.HeldOut.empty() ? std::vector<std::string>() : std::vector{ view.HeldOut }, console);
 
   RunReport report(options.Out, truth);
-  DesktopState desktop;
+  Dashboard desktop;
   desktop.Title =
     (options.View.What == ViewSpec::Kind::File ? options.View.Name : ViewSpecText(options.View)) +
     " of " + index.Folder.filename().string();
@@ -201,6 +201,6 @@ void RunView(const RunOptions& options, Console& console)
     console.RunTimed("report", [&] { WritePage(page, jobText, console); });
   }
 
-  TellResult(options, report, console);
+  ReportResult(options, report, console);
 }
 }

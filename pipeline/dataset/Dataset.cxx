@@ -29,10 +29,10 @@ void CheckCamera(const Photograph& photograph)
     ValidateCalibration(camera, photograph.Where);
     return;
   }
-  if (camera.Width > MostExtentPx || camera.Height > MostExtentPx)
+  if (camera.Width > MaxExtentPx || camera.Height > MaxExtentPx)
   {
     throw Error(photograph.Where, "image size is out of range",
-      SizeText(camera.Width, camera.Height), "sides of at most " + std::to_string(MostExtentPx));
+      SizeText(camera.Width, camera.Height), "sides of at most " + std::to_string(MaxExtentPx));
   }
   ValidateCamera(camera, photograph.Where);
 }

@@ -148,7 +148,7 @@ void DrawRig(const RigPicture& rig, const std::filesystem::path& path)
 namespace
 {
 /** The mesh with its displacement in novel-view pixels as scalars. */
-vtkSmartPointer<vtkActor> MeshActor(const DesktopState& state, vtkScalarsToColors* colours)
+vtkSmartPointer<vtkActor> MeshActor(const Dashboard& state, vtkScalarsToColors* colours)
 {
   vtkNew<vtkPolyData> shown;
   shown->SetPoints(state.Mesh->GetPoints());
@@ -213,7 +213,7 @@ vtkSmartPointer<vtkActor> OutlineActor(vtkPolyData* mesh, vtkIdType& count)
   return actor;
 }
 
-void DrawMeshScene(Canvas& canvas, const Box& box, const DesktopState& state)
+void DrawMeshScene(Canvas& canvas, const Box& box, const Dashboard& state)
 {
   vtkRenderer* scene = canvas.AddPanel(box, colours::Panel);
   auto table = MoveColours(state.DisplacementRangePx);
@@ -267,7 +267,7 @@ void DrawMeshScene(Canvas& canvas, const Box& box, const DesktopState& state)
   AddAxes(canvas, { box.X + 8, box.Y + box.Height - 108, 100, 100 }, scene, colours::Panel);
 }
 
-void DrawPicturePanels(Canvas& canvas, const Box& area, const DesktopState& state)
+void DrawPicturePanels(Canvas& canvas, const Box& area, const Dashboard& state)
 {
   if (!state.TruthImage)
   {
@@ -304,7 +304,7 @@ void DrawPicturePanels(Canvas& canvas, const Box& area, const DesktopState& stat
 }
 
 //------------------------------------------------------------------------------
-void DrawDesktop(DesktopState& state, const std::filesystem::path& path)
+void DrawDesktop(Dashboard& state, const std::filesystem::path& path)
 {
   if (!state.Mesh || !state.Views || !state.NovelImage)
   {

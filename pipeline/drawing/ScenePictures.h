@@ -52,7 +52,7 @@ struct HistoryRow
 };
 
 /** Everything a screenshot of the refinement shows; all pointers are borrowed. */
-struct DesktopState
+struct Dashboard
 {
   std::string Title; ///< of the window: what is being run
   Stage Step = Stage::Outline;
@@ -74,7 +74,7 @@ struct DesktopState
 };
 
 /** A desktop-style screenshot, 1600 x 900. */
-void DrawDesktop(DesktopState& state, const std::filesystem::path& path);
+void DrawDesktop(Dashboard& state, const std::filesystem::path& path);
 
 /** RMS and, where there are any, SSIM of all iterations as line charts, 1600 x 700. */
 void DrawCharts(const std::string& title, const std::vector<HistoryRow>& history,

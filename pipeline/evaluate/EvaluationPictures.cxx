@@ -17,8 +17,8 @@ namespace
 {
 constexpr int NameWidth = 150;
 constexpr int BarWidth = 72;
-constexpr int MostWidth = 400; ///< of a picture on the contact sheet
-constexpr int MostHeight = 240;
+constexpr int MaxWidth = 400; ///< of a picture on the contact sheet
+constexpr int MaxHeight = 240;
 constexpr int MostOfAll = 8000; ///< height of the contact sheet: half of what the driver can do
 constexpr double ErrorRange = 80;
 
@@ -56,8 +56,8 @@ public:
     const int room = (MostOfAll - TitleHeight - HeaderHeight) / std::max(rows, 1) - Gap;
     Box cell;
     cell.Height =
-      std::clamp(static_cast<int>(MostWidth / aspect), 8, std::max(8, std::min(MostHeight, room)));
-    cell.Width = std::clamp(static_cast<int>(std::lround(cell.Height * aspect)), 8, MostWidth);
+      std::clamp(static_cast<int>(MaxWidth / aspect), 8, std::max(8, std::min(MaxHeight, room)));
+    cell.Width = std::clamp(static_cast<int>(std::lround(cell.Height * aspect)), 8, MaxWidth);
     return cell;
   }
   int Columns() const { return this->WithLast ? 4 : 3; }
@@ -123,21 +123,21 @@ public:
 //------------------------------------------------------------------------------
 Overview::Overview(
   const std::string& title, const std::string& lastStage, std::size_t rows, double aspect)
-  : Own(std::make_unique<Internals>(lastStage, rows, aspect))
+  : Impl(std::make_unique<Internals>(lastStage, rows, aspect))
 {
-  this->Own->AddHeadings(title, lastStage);
+  this->Impl->AddHeadings(title, lastStage);
 }
 
 Overview::~Overview() = default;
 
 void Overview::AddRow(const OverviewRow& row)
 {
-  this->Own->AddRow(row);
+  this->Impl->AddRow(row);
 }
 
 void Overview::Write(const std::filesystem::path& path)
 {
-  WriteArray(path, this->Own->Sheet.Draw(), arrays::Color);
+  WriteArray(path, this->Impl->Sheet.Draw(), arrays::Color);
 }
 
 //------------------------------------------------------------------------------

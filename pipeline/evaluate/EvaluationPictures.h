@@ -42,7 +42,7 @@ public:
 
 private:
   class Internals;
-  std::unique_ptr<Internals> Own;
+  std::unique_ptr<Internals> Impl;
 };
 
 /** RMS and SSIM of every stage over the views as line charts, 1600 x 700. */

@@ -20,7 +20,7 @@ namespace novelview
 namespace fs = std::filesystem;
 namespace
 {
-constexpr std::size_t MostCoefficients = 5;
+constexpr std::size_t MaxCoefficients = 5;
 
 /** The right side of an assignment. */
 struct Assigned
@@ -132,7 +132,7 @@ Photograph IntrinsicsOf(const Script& script, const fs::path& path)
   }
   if (const auto kc = script.find("kc"); kc != script.end())
   {
-    if (kc->second.Numbers.size() > MostCoefficients)
+    if (kc->second.Numbers.size() > MaxCoefficients)
     {
       throw Error(kc->second.Where, "too many distortion coefficients",
         std::to_string(kc->second.Numbers.size()), "at most 5: k1 k2 p1 p2 k3");
@@ -291,7 +291,7 @@ std::vector<FileContent> ComposeBouguet(
   CheckShared(photographs);
   const Camera& camera = photographs.front().Cam;
   std::vector<double> kc = Trimmed(photographs.front().Distortion).Coefficients;
-  kc.resize(MostCoefficients, 0);
+  kc.resize(MaxCoefficients, 0);
   const Eigen::Matrix3d& K = camera.K;
   std::string text = "% Intrinsic and Extrinsic Camera Parameters\n\n";
   text += "fc = " + ColumnText({ K(0, 0), K(1, 1) }) + ";\n";
@@ -337,7 +337,7 @@ DatasetFormat BouguetFormat()
   format.HoldsLens = [](const Photograph& photograph)
   {
     return photograph.Distortion.Kind == Lens::Model::Perspective &&
-      Trimmed(photograph.Distortion).Coefficients.size() <= MostCoefficients;
+      Trimmed(photograph.Distortion).Coefficients.size() <= MaxCoefficients;
   };
   format.Compose = ComposeBouguet;
   return format;

@@ -42,13 +42,13 @@ const StorageNode& NodeOf(const StorageNode& map, const std::string& key)
 /** What a view says and, behind it, what the whole file says for all. */
 struct ViewNodes
 {
-  const StorageNode& Own;
+  const StorageNode& View;
   const StorageNode& Shared;
   std::string Where;
 
   const StorageNode& Find(const std::string& key) const
   {
-    const StorageNode& own = NodeOf(this->Own, key);
+    const StorageNode& own = NodeOf(this->View, key);
     return own.IsNone() ? NodeOf(this->Shared, key) : own;
   }
 
@@ -223,7 +223,7 @@ bool HoldsCameraMatrix(const fs::path& path)
 {
   try
   {
-    const std::string text = ReadInputStart(path, MostStorageBytes);
+    const std::string text = ReadInputStart(path, MaxStorageBytes);
     return text.find("camera_matrix") != std::string::npos ||
       text.find("Camera_Matrix") != std::string::npos;
   }

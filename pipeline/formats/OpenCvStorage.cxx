@@ -99,8 +99,8 @@ double AsElement(double number, char type)
   struct IntegerType
   {
     char Letter;
-    double Least;
-    double Most;
+    double Min;
+    double Max;
   };
   constexpr std::array<IntegerType, 5> Integers{ { { 'u', 0, 255 }, { 'c', -128, 127 },
     { 'w', 0, 65535 }, { 's', -32768, 32767 }, { 'i', -2147483648., 2147483647. } } };
@@ -108,7 +108,7 @@ double AsElement(double number, char type)
   {
     if (integer.Letter == type)
     {
-      return ClampedNumber(std::rint(number), integer.Least, integer.Most);
+      return ClampedNumber(std::rint(number), integer.Min, integer.Max);
     }
   }
   return type == 'd' ? number : static_cast<double>(static_cast<float>(number));
@@ -259,7 +259,7 @@ StorageNode ParseStorageJson(const std::string& text, const std::string& where)
 
 StorageNode ParseOpenCvStorage(const std::string& text, const std::string& where)
 {
-  if (text.size() > MostStorageBytes)
+  if (text.size() > MaxStorageBytes)
   {
     throw Error(where, "is too large for a calibration", "more than 32 MiB", "less");
   }
@@ -273,6 +273,6 @@ StorageNode ParseOpenCvStorage(const std::string& text, const std::string& where
 
 StorageNode ReadOpenCvStorage(const fs::path& file)
 {
-  return ParseOpenCvStorage(ReadInputStart(file, MostStorageBytes + 1), file.string());
+  return ParseOpenCvStorage(ReadInputStart(file, MaxStorageBytes + 1), file.string());
 }
 }

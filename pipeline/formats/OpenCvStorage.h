@@ -16,10 +16,10 @@
 namespace novelview
 {
 /** Maps and lists may be nested so deep. */
-constexpr int MostStorageNesting = 32;
+constexpr int MaxStorageNesting = 32;
 
 /** Larger files are no calibrations; the values of a file take several times its size. */
-constexpr std::size_t MostStorageBytes = 32 << 20;
+constexpr std::size_t MaxStorageBytes = 32 << 20;
 
 struct StorageEntry;
 

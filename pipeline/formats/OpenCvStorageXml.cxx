@@ -36,10 +36,10 @@ public:
 
   StorageNode NodeOf(const pugi::xml_node& element, int depth) const
   {
-    if (depth > MostStorageNesting)
+    if (depth > MaxStorageNesting)
     {
       throw Error(this->PlaceOf(element.offset_debug()), "is nested too deep",
-        "more than " + std::to_string(MostStorageNesting) + " levels", "fewer");
+        "more than " + std::to_string(MaxStorageNesting) + " levels", "fewer");
     }
     StorageNode node;
     for (const pugi::xml_node& child : element.children())

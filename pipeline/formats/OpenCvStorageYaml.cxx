@@ -81,10 +81,10 @@ private:
 
   void Begin(Kind kind, const YAML::Mark& mark)
   {
-    if (this->Open.size() == MostStorageNesting)
+    if (this->Open.size() == MaxStorageNesting)
     {
       throw Error(this->PlaceOf(mark), "is nested too deep",
-        "more than " + std::to_string(MostStorageNesting) + " levels", "fewer");
+        "more than " + std::to_string(MaxStorageNesting) + " levels", "fewer");
     }
     this->Open.emplace_back();
     this->Open.back().Node.What = kind;

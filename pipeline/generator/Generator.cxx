@@ -8,7 +8,7 @@
 #include "base/NumberText.h"
 #include "core/Error.h"
 #include "drawing/ScenePictures.h"
-#include "generator/Photographer.h"
+#include "generator/SyntheticRenderer.h"
 #include "images/ImageFile.h"
 #include "mesh/ObjectMesh.h"
 #include "mesh/PolyDataFile.h"
@@ -91,8 +91,8 @@ Image<std::uint8_t> ThresholdedMask(const Image<std::uint8_t>& color)
 }
 
 /** Photograph and mask of one view, as imperfect as asked. */
-RenderedPhotograph TakeView(
-  Photographer& photographer, const Camera& camera, const GeneratorOptions& options, int viewId)
+RenderedPhotograph TakeView(SyntheticRenderer& photographer, const Camera& camera,
+  const GeneratorOptions& options, int viewId)
 {
   const double shadow = Contains(options.ShadowViews, viewId) ? options.ShadowDarkness : 0;
   RenderedPhotograph photograph = photographer.Take(camera, shadow);
@@ -166,7 +166,7 @@ std::string OptionsText(const GeneratorOptions& options)
 }
 
 /** Where the pictures of one list of cameras go and what becomes of each. */
-void WriteHeldOut(Photographer& photographer, const std::vector<Camera>& cameras,
+void WriteHeldOut(SyntheticRenderer& photographer, const std::vector<Camera>& cameras,
   const fs::path& folder, const std::function<void()>& step)
 {
   std::vector<Shot> named;
@@ -198,8 +198,9 @@ vtkSmartPointer<vtkImageData> Thumbnail(Image<std::uint8_t> color)
 }
 
 /** Returns the photographs for the overview. */
-std::vector<vtkSmartPointer<vtkImageData>> WriteViews(Photographer& photographer, const Rig& rig,
-  const GeneratorOptions& options, const fs::path& folder, const std::function<void()>& step)
+std::vector<vtkSmartPointer<vtkImageData>> WriteViews(SyntheticRenderer& photographer,
+  const Rig& rig, const GeneratorOptions& options, const fs::path& folder,
+  const std::function<void()>& step)
 {
   const std::string stem = ObjectName(options.Mesh);
   std::vector<Shot> named;
@@ -288,7 +289,7 @@ void GenerateDataset(
   vtkSmartPointer<vtkPolyData> mesh = LoadObject(options.Mesh);
   const Rig rig = MakeRig(mesh, options);
   RequireWritable(out);
-  Photographer photographer(
+  SyntheticRenderer photographer(
     mesh, { options.Texture, options.Lit, options.Seed }, options.Supersampling);
   WritePly(out / "truth.ply", mesh);
   report("photographs", 2);

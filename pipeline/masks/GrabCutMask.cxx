@@ -68,8 +68,8 @@ Image<std::uint8_t> GrabCutSilhouette(
     cv::resize(whole, pixels, cv::Size(), scale, scale, cv::INTER_AREA);
   }
   const cv::Rect box = BoxIn(pixels, options.Box, scale);
-  constexpr int LeastPixels = 16; // GrabCut learns five colours of each side
-  if (box.area() < LeastPixels || pixels.size().area() - box.area() < LeastPixels)
+  constexpr int MinPixels = 16; // GrabCut learns five colours of each side
+  if (box.area() < MinPixels || pixels.size().area() - box.area() < MinPixels)
   {
     throw Error("box", "must hold a part of the photograph and leave one out",
       SizeText(box.width, box.height) + " of " + SizeText(pixels.cols, pixels.rows),

@@ -25,8 +25,8 @@ const cv::Scalar OutlineInk(255, 0, 200); ///< a colour few objects have
 /** The end of a name that fits under a picture. */
 std::string Fitting(const std::string& name)
 {
-  constexpr std::size_t Most = 26;
-  return name.size() <= Most ? name : ".." + name.substr(name.size() - Most + 2);
+  constexpr std::size_t Max = 26;
+  return name.size() <= Max ? name : ".." + name.substr(name.size() - Max + 2);
 }
 }
 

@@ -143,16 +143,16 @@ cv::Vec2d ChromaOf(const cv::Vec3d& rgb)
  */
 cv::Mat ChromaDifferenceFrom(const cv::Mat& photo, const cv::Vec3d& key)
 {
-  constexpr double leastChroma = 20; // less is grey to a camera with noise and white balance
+  constexpr double minChroma = 20; // less is grey to a camera with noise and white balance
   constexpr double darkestShade = 0.35;
   constexpr double brightestShade = 1.15;
   const cv::Vec2d chroma = ChromaOf(key);
   const double size = std::sqrt(chroma.dot(chroma));
-  if (size < leastChroma)
+  if (size < minChroma)
   {
     throw Error("background", "its colour has no hue to tell the object by",
       "chroma " + std::to_string(std::lround(size)),
-      "at least " + std::to_string(std::lround(leastChroma)));
+      "at least " + std::to_string(std::lround(minChroma)));
   }
   cv::Mat difference(photo.size(), CV_8U);
   for (int y = 0; y < photo.rows; ++y)
@@ -438,8 +438,8 @@ int PixelsAtFrame(const cv::Mat& mask)
 void AddFaintParts(cv::Mat& mask, const cv::Mat& photo, const cv::Mat& border)
 {
   constexpr double smoothingPx = 2;
-  constexpr int blurPx = 3;          // how far the light of the object may reach by blur
-  constexpr double leastArea = 0.01; // of the object; smaller regions are reflections
+  constexpr int blurPx = 3;        // how far the light of the object may reach by blur
+  constexpr double minArea = 0.01; // of the object; smaller regions are reflections
   cv::Mat near;
   cv::dilate(mask, near,
     cv::getStructuringElement(cv::MORPH_ELLIPSE, cv::Size(2 * blurPx + 1, 2 * blurPx + 1)));
@@ -467,7 +467,7 @@ void AddFaintParts(cv::Mat& mask, const cv::Mat& photo, const cv::Mat& border)
   for (int label = 1; label < count; ++label)
   {
     cv::Mat region = labels == label;
-    if (stats.at<int>(label, cv::CC_STAT_AREA) < leastArea * objectArea ||
+    if (stats.at<int>(label, cv::CC_STAT_AREA) < minArea * objectArea ||
       PixelsAtFrame(region) > PixelsAtFrame(mask) || cv::countNonZero(region & touching) == 0)
     {
       continue;

@@ -10,14 +10,14 @@ namespace novelview
 {
 namespace
 {
-constexpr std::size_t MostCorners = 10000;
-constexpr std::uint64_t MostSquares = 2000000000;
+constexpr std::size_t MaxCorners = 10000;
+constexpr std::uint64_t MaxSquares = 2000000000;
 }
 
 bool FaceCheck::Accept(const std::vector<vtkIdType>& corners, vtkIdType pointCount)
 {
   const std::uint64_t squares = this->Squares + std::uint64_t{ corners.size() } * corners.size();
-  bool good = corners.size() >= 3 && corners.size() <= MostCorners && squares <= MostSquares;
+  bool good = corners.size() >= 3 && corners.size() <= MaxCorners && squares <= MaxSquares;
   for (const vtkIdType corner : corners)
   {
     good &= corner >= 0 && corner < pointCount;
@@ -34,10 +34,10 @@ void FaceCheck::CheckPolygon(
   {
     return;
   }
-  if (corners.size() > MostCorners)
+  if (corners.size() > MaxCorners)
   {
     throw Error(where, "face has an unusable number of corners", std::to_string(corners.size()),
-      "3 to " + std::to_string(MostCorners));
+      "3 to " + std::to_string(MaxCorners));
   }
   CheckStrip(corners, pointCount, where);
   throw Error(where, "too many faces with so many corners; write the mesh as triangles");

@@ -4,7 +4,7 @@
 #include "Threads.h"
 #include "ViewAccess.h"
 #include "cameras/CameraUp.h"
-#include "deformation/FieldDeformation.h"
+#include "deformation/TsdfDeformation.h"
 #include "fusion/ModelRefinement.h"
 #include "geometry/MeshNeighbours.h"
 

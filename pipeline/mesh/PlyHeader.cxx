@@ -12,7 +12,7 @@ namespace novelview
 namespace
 {
 /** Elements in a file, and properties of one: more than any file needs. */
-constexpr std::size_t Most = 1000;
+constexpr std::size_t Max = 1000;
 
 PlyType TypeNamed(TextLines& lines)
 {
@@ -78,9 +78,9 @@ void CheckNew(const Named& one, const std::vector<Named>& others, const std::str
   {
     throw Error(where, kind + " " + Quoted(one.Name) + " is there twice");
   }
-  if (others.size() >= Most)
+  if (others.size() >= Max)
   {
-    throw Error(where, "too many of the kind " + kind, "more", std::to_string(Most) + " at most");
+    throw Error(where, "too many of the kind " + kind, "more", std::to_string(Max) + " at most");
   }
 }
 

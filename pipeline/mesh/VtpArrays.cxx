@@ -27,7 +27,7 @@ namespace
 {
 constexpr const char* Lzma = "vtkLZMADataCompressor";
 /** No compressor makes more of a byte: zlib's limit, the largest that arrays of numbers come near. */
-constexpr std::uint64_t MostExpansion = 1100;
+constexpr std::uint64_t MaxExpansion = 1100;
 
 /** What a DataArray may hold. */
 struct ArrayType
@@ -255,7 +255,7 @@ std::vector<T> VtpArrays::Read(
       std::is_integral_v<T> ? "Int8 to UInt64" : "Int8 to UInt64, Float32 or Float64");
   }
   const std::uint64_t most =
-    this->Document.Bytes().size() * MostExpansion / (type->Size * components);
+    this->Document.Bytes().size() * MaxExpansion / (type->Size * components);
   if (tuples > most)
   {
     throw Error(where, "the file is too short for its array", std::to_string(tuples) + " values",
@@ -346,7 +346,7 @@ std::string VtpArrays::ReadBlocks(
     {
       throw Error(where, "data of the array is too short for its blocks");
     }
-    if (LengthOf(header, block) > blockSize * MostExpansion)
+    if (LengthOf(header, block) > blockSize * MaxExpansion)
     {
       throw Error(where, "block of the array is too short for what it shall hold");
     }

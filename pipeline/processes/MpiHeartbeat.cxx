@@ -97,7 +97,7 @@ void MpiHeartbeat::Run()
     LastPass = now;
     this->Listen();
     this->Judge(passed);
-    this->Tell(Alive);
+    this->Send(Alive);
   }
   LastPass = -1;
   // So that no beat is left over when MPI ends.
@@ -105,7 +105,7 @@ void MpiHeartbeat::Run()
   {
     MPI_Wait(&peer.Sending, MPI_STATUS_IGNORE);
   }
-  this->Tell(Last);
+  this->Send(Last);
   while (!this->AllLeft())
   {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -120,7 +120,7 @@ bool MpiHeartbeat::Pause()
   return this->Wake.wait_for(lock, Seconds(this->PeriodSeconds), [this] { return this->Leaving; });
 }
 
-void MpiHeartbeat::Tell(char beat)
+void MpiHeartbeat::Send(char beat)
 {
   for (Peer& peer : this->Peers)
   {

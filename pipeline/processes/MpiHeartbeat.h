@@ -42,7 +42,7 @@ private:
 
   void Run();
   bool Pause();
-  void Tell(char beat);
+  void Send(char beat);
   void Listen();
   void Judge(double passedSeconds);
   bool AllLeft() const;

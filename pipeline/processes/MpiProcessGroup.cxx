@@ -47,7 +47,7 @@ enum Kind : long long
 };
 
 /** MPI's own waiting keeps a processor busy; here others have work for it. */
-void Nap()
+void Backoff()
 {
   std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
@@ -61,7 +61,7 @@ std::string Packed(const WorkResult& result)
     writer.Add(number);
   }
   writer.Add<std::uint64_t>(result.Notes.size());
-  for (const WorkNote& note : result.Notes)
+  for (const LogRecord& note : result.Notes)
   {
     writer.Add(note.Seconds);
     writer.AddText(note.Text);
@@ -147,7 +147,7 @@ public:
     return std::max(processors / this->Place.SizeHere, 1);
   }
 
-  void Share(ViewIndependent& results) override
+  void Share(SceneGeometry& results) override
   {
     this->AwaitBroadcast();
     int has[2] = { results.Crust != nullptr, 0 };
@@ -190,7 +190,7 @@ public:
     this->Count = count;
     this->Next = 0;
     this->Stopped = false;
-    std::thread talker([this] { this->Talk(); });
+    std::thread talker([this] { this->DispatchLoop(); });
     try
     {
       this->WorkAsFirst(make, take);
@@ -211,14 +211,14 @@ public:
 
   bool OtherFailed() const override { return this->Failed; }
 
-  bool TellFailure(const std::string& text) override
+  bool ReportFailure(const std::string& text) override
   {
     if (this->Rank() == 0)
     {
       return false;
     }
     // Short enough that MPI keeps it, should the first process not listen yet.
-    this->Tell(Failure, 0, text.substr(0, 1000));
+    this->Send(Failure, 0, text.substr(0, 1000));
     return true;
   }
 
@@ -266,7 +266,7 @@ private:
   {
     for (;;)
     {
-      this->Tell(Ask, 0, {});
+      this->Send(Ask, 0, {});
       this->AwaitMessage(0, ItemTag);
       long long item = -1;
       this->Controller->Receive(&item, 1, 0, ItemTag);
@@ -274,11 +274,11 @@ private:
       {
         return;
       }
-      this->Tell(Made, item, Packed(make(static_cast<std::size_t>(item))));
+      this->Send(Made, item, Packed(make(static_cast<std::size_t>(item))));
     }
   }
 
-  void Tell(Kind kind, long long item, const std::string& bytes)
+  void Send(Kind kind, long long item, const std::string& bytes)
   {
     const long long header[3] = { kind, item, static_cast<long long>(bytes.size()) };
     this->Controller->Send(header, 3, 0, HeaderTag);
@@ -295,7 +295,7 @@ private:
     int source = from;
     while (this->Controller->Iprobe(from, tag, &there, &source) && !there)
     {
-      Nap();
+      Backoff();
     }
     return source;
   }
@@ -311,11 +311,11 @@ private:
       {
         WorkResult result = make(item);
         const std::lock_guard lock(this->Guard);
-        this->Own.emplace(item, std::move(result));
+        this->Impl.emplace(item, std::move(result));
       }
       else
       {
-        Nap();
+        Backoff();
       }
       this->ThrowFailure();
       while (this->TakeOne(taken, take))
@@ -332,7 +332,7 @@ private:
     std::string bytes;
     {
       const std::lock_guard lock(this->Guard);
-      if (auto own = this->Own.extract(item))
+      if (auto own = this->Impl.extract(item))
       {
         result = std::move(own.mapped());
       }
@@ -350,7 +350,7 @@ private:
   }
 
   /** Answers the other processes until each has been told that there is no more. */
-  void Talk()
+  void DispatchLoop()
   {
     int dismissed = 0;
     while (dismissed < this->Size() - 1 && !this->Stopped)
@@ -360,7 +360,7 @@ private:
       this->Controller->Iprobe(vtkMultiProcessController::ANY_SOURCE, HeaderTag, &there, &source);
       if (!there)
       {
-        Nap();
+        Backoff();
         continue;
       }
       long long header[3] = { 0, 0, 0 };
@@ -426,7 +426,7 @@ private:
   std::atomic<bool> Failed{ false };
   std::mutex Guard; ///< of what follows
   std::string FailureText;
-  std::map<std::size_t, WorkResult> Own;
+  std::map<std::size_t, WorkResult> Impl;
   std::map<std::size_t, std::string> Received;
 };
 

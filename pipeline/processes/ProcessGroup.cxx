@@ -35,7 +35,7 @@ LaunchPlace FindLaunchPlace()
   return place;
 }
 
-void ProcessGroup::Share(ViewIndependent&)
+void ProcessGroup::Share(SceneGeometry&)
 {
 }
 
@@ -47,7 +47,7 @@ void ProcessGroup::ForEach(std::size_t count, const Make& make, const Take& take
   }
 }
 
-bool ProcessGroup::TellFailure(const std::string&)
+bool ProcessGroup::ReportFailure(const std::string&)
 {
   return false;
 }

@@ -17,7 +17,7 @@
 namespace novelview
 {
 /** What the console is to be told of a piece of work. */
-struct WorkNote
+struct LogRecord
 {
   std::string Text;
   double Seconds = -1; ///< of the stage Text; below 0 = Text is a warning
@@ -28,7 +28,7 @@ struct WorkResult
 {
   std::vector<double> Numbers;
   std::vector<vtkSmartPointer<vtkImageData>> Images;
-  std::vector<WorkNote> Notes;
+  std::vector<LogRecord> Notes;
 };
 
 /** How this process was started, by the launcher's environment; nothing is initialised for that. */
@@ -60,7 +60,7 @@ public:
   virtual int ThreadsHere() const { return 0; }
 
   /** Gives what the first process has to all of them: Crust, and Views with their numbers. */
-  virtual void Share(ViewIndependent& results);
+  virtual void Share(SceneGeometry& results);
 
   /**
    * Calls `make` once for each item below `count`, in whichever process has nothing else to do,
@@ -73,7 +73,7 @@ public:
   virtual bool OtherFailed() const { return false; }
 
   /** Tells the first process of an error here. Returns false when it does not listen. */
-  virtual bool TellFailure(const std::string& text);
+  virtual bool ReportFailure(const std::string& text);
 
   /** Ends all processes at once. Returns only when this is the only one. */
   virtual void EndAll(int code);

@@ -21,7 +21,7 @@ namespace
 constexpr int StageSidePx = 1280;
 constexpr int IterationSidePx = 720;
 constexpr int SceneSidePx = 1200;
-constexpr std::size_t MostFrames = 60;
+constexpr std::size_t MaxFrames = 60;
 constexpr double ErrorRange = 80; ///< end of the colour scale, grey levels
 
 std::string WithRms(const std::string& name, const std::optional<Scores>& scores)
@@ -64,7 +64,7 @@ std::vector<ReportFrame> IterationFrames(const RunPageInput& input)
 {
   const std::vector<TableRow>& rows = input.Report->Iterations();
   std::vector<const TableRow*> shown;
-  const std::size_t stride = (rows.size() + MostFrames - 1) / MostFrames;
+  const std::size_t stride = (rows.size() + MaxFrames - 1) / MaxFrames;
   for (std::size_t i = 0; i < rows.size(); ++i)
   {
     if (i % stride == 0 || i + 1 == rows.size())

@@ -194,7 +194,7 @@ void RunReport::WriteMesh(const std::string& name, vtkPolyData* mesh) const
   WriteVtp(this->Folder / "meshes" / (name + ".vtp"), WithCells(mesh), VtpCompressor::Lz4);
 }
 
-void RunReport::AddIteration(const IterationState& state, DesktopState* desktop)
+void RunReport::AddIteration(const IterationState& state, Dashboard* desktop)
 {
   TableRow& row = this->Rows.emplace_back();
   row.Step = state.Step;

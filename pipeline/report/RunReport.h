@@ -76,7 +76,7 @@ public:
    * A row of the tables, iterations/STEP_NN.png, meshes/iterations/STEP_NN.vtp and, when `desktop`
    * is given, iterations/STEP_NN_desktop.png.
    */
-  void AddIteration(const IterationState& state, DesktopState* desktop);
+  void AddIteration(const IterationState& state, Dashboard* desktop);
 
   /** rms_outline.csv, rms_nonoutline.csv, rms.png, meshes/iterations.pvd, summary.json. */
   void Finish(const std::string& title) const;

@@ -180,7 +180,7 @@ vtkSmartPointer<vtkImageData> Completed(vtkImageData* given, vtkImageData* parts
 }
 
 /** The numbers of all views, below 0 = none, and the warnings. */
-std::string PackedNotes(const ViewIndependent& results)
+std::string PackedNotes(const SceneGeometry& results)
 {
   ByteWriter writer;
   for (const char* number : SharedNumbers)
@@ -195,7 +195,7 @@ std::string PackedNotes(const ViewIndependent& results)
   return std::move(writer.Written);
 }
 
-void UnpackNotes(std::string_view bytes, const std::string& where, ViewIndependent& results)
+void UnpackNotes(std::string_view bytes, const std::string& where, SceneGeometry& results)
 {
   ByteReader reader(bytes, where);
   for (const char* number : SharedNumbers)
@@ -214,7 +214,7 @@ void UnpackNotes(std::string_view bytes, const std::string& where, ViewIndepende
 }
 
 std::string PackedEntry(
-  const std::string& key, const ViewIndependent& results, vtkMultiBlockDataSet* given)
+  const std::string& key, const SceneGeometry& results, vtkMultiBlockDataSet* given)
 {
   std::vector<CacheSection> sections = { { HullSection, PackedMesh(results.Hull) },
     { CrustSection, PackedMesh(results.Crust) }, { BallsSection, PackedMesh(results.MedialBalls) },
@@ -228,9 +228,9 @@ std::string PackedEntry(
 }
 
 /** Reads, checks and unpacks the sections, spread over the threads. */
-ViewIndependent ReadEntry(const CacheFile& file, vtkMultiBlockDataSet* given)
+SceneGeometry ReadEntry(const CacheFile& file, vtkMultiBlockDataSet* given)
 {
-  ViewIndependent results;
+  SceneGeometry results;
   std::vector<vtkSmartPointer<vtkImageData>> parts(given->GetNumberOfBlocks());
   const auto mesh = [&file](const char* name)
   { return UnpackedMesh(file.Read(name), file.Where(name)); };
@@ -283,7 +283,7 @@ StageCache::StageCache(
   this->Key = hash.Text();
 }
 
-std::optional<ViewIndependent> StageCache::Load()
+std::optional<SceneGeometry> StageCache::Load()
 {
   this->Wrong.clear();
   if (!CacheFile::Exists(this->Entry()))
@@ -305,7 +305,7 @@ std::optional<ViewIndependent> StageCache::Load()
   return {};
 }
 
-void StageCache::Store(const ViewIndependent& results) const
+void StageCache::Store(const SceneGeometry& results) const
 {
   WriteDespiteStop(this->Entry(), PackedEntry(this->Key, results, this->Views));
 }

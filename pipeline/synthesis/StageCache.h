@@ -23,7 +23,7 @@ inline constexpr std::array<const char*, 2> SharedNumbers = { arrays::DepthNoise
   arrays::SilhouettePrior };
 
 /** What the stages make of the photographs for every novel camera alike. */
-struct ViewIndependent
+struct SceneGeometry
 {
   vtkSmartPointer<vtkPolyData> Hull;
   vtkSmartPointer<vtkPolyData> Crust;
@@ -34,7 +34,7 @@ struct ViewIndependent
 };
 
 /**
- * Keeps ViewIndependent results in a folder, one file DIR/KEY.nvcache each (CacheFile). KEY is a hash
+ * Keeps SceneGeometry results in a folder, one file DIR/KEY.nvcache each (CacheFile). KEY is a hash
  * (XXH3, 128 bits) of everything the results follow from: pixels, silhouettes, cameras, the options of
  * these stages, and the libraries' machine code. Every byte of an entry is under a checksum, and one
  * that does not match is as good as none. Entries may be deleted at any time.
@@ -46,13 +46,13 @@ public:
     std::filesystem::path folder, vtkMultiBlockDataSet* views, const SynthesisOptions& options);
 
   /** The kept results; nothing when there are none, or none that can be used (see Damage()). */
-  std::optional<ViewIndependent> Load();
+  std::optional<SceneGeometry> Load();
 
   /** Why the entry that Load() found cannot be used; empty when it can, or when there is none. */
   const std::string& Damage() const { return this->Wrong; }
 
   /** Keeps results, in place of what is there. Throws Error when the file cannot be written. */
-  void Store(const ViewIndependent& results) const;
+  void Store(const SceneGeometry& results) const;
 
   std::filesystem::path Entry() const { return this->Folder / (this->Key + ".nvcache"); }
 

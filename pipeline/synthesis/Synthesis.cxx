@@ -54,7 +54,7 @@ public:
   }
 
   Internals(
-    const ViewIndependent& prepared, const SynthesisOptions& options, SynthesisListener listener)
+    const SceneGeometry& prepared, const SynthesisOptions& options, SynthesisListener listener)
     : Options(options)
     , Listener(std::move(listener))
     , Filters(prepared.Views, options)
@@ -63,7 +63,7 @@ public:
     this->UseKept();
   }
 
-  ViewIndependent Prepared()
+  SceneGeometry Prepared()
   {
     this->Prepare();
     return this->Kept ? *this->Kept : this->Results();
@@ -212,9 +212,9 @@ private:
     }
   }
 
-  ViewIndependent Results()
+  SceneGeometry Results()
   {
-    ViewIndependent results;
+    SceneGeometry results;
     results.Hull = this->Filters.HullSource->GetOutput();
     results.Crust = this->Filters.Mesher->GetOutput();
     results.MedialBalls = vtkPolyData::SafeDownCast(this->Filters.Mesher->GetOutputDataObject(1));
@@ -353,7 +353,7 @@ private:
       [](vtkObject* caller, unsigned long, void* data, void*)
       {
         auto* heard = static_cast<Context*>(data);
-        heard->Self->TellIteration(static_cast<vtkViewDeformer*>(caller), heard->Step);
+        heard->Self->ReportIteration(static_cast<vtkViewDeformer*>(caller), heard->Step);
       });
     if (this->Listener.Iteration)
     {
@@ -372,7 +372,7 @@ private:
     filter->RemoveObserver(command);
   }
 
-  void TellIteration(vtkViewDeformer* filter, Stage step)
+  void ReportIteration(vtkViewDeformer* filter, Stage step)
   {
     const auto image = this->Textured(filter->GetCurrentMesh(), nullptr);
     IterationState state;
@@ -392,8 +392,8 @@ private:
   const SynthesisListener Listener;
   SynthesisStages Filters;
   std::optional<StageCache> Cache;
-  std::optional<ViewIndependent> Kept; ///< what the cache had
-  vtkNew<vtkPolyData> HullOfCrust;     ///< the Mesher's input
+  std::optional<SceneGeometry> Kept; ///< what the cache had
+  vtkNew<vtkPolyData> HullOfCrust;   ///< the Mesher's input
   bool Looked = false;
   bool Stored = false;
   std::vector<std::string> Warnings;
@@ -404,55 +404,55 @@ private:
 
 Synthesis::Synthesis(
   vtkMultiBlockDataSet* views, const SynthesisOptions& options, SynthesisListener listener)
-  : Own(std::make_unique<Internals>(views, options, std::move(listener)))
+  : Impl(std::make_unique<Internals>(views, options, std::move(listener)))
 {
 }
 
 Synthesis::Synthesis(
-  const ViewIndependent& prepared, const SynthesisOptions& options, SynthesisListener listener)
-  : Own(std::make_unique<Internals>(prepared, options, std::move(listener)))
+  const SceneGeometry& prepared, const SynthesisOptions& options, SynthesisListener listener)
+  : Impl(std::make_unique<Internals>(prepared, options, std::move(listener)))
 {
 }
 
 Synthesis::~Synthesis() = default;
 
-ViewIndependent Synthesis::Prepared()
+SceneGeometry Synthesis::Prepared()
 {
-  return this->Own->Prepared();
+  return this->Impl->Prepared();
 }
 
 vtkPolyData* Synthesis::Hull()
 {
-  return this->Own->Hull();
+  return this->Impl->Hull();
 }
 
 vtkPolyData* Synthesis::Crust()
 {
-  return this->Own->Crust();
+  return this->Impl->Crust();
 }
 
 vtkPolyData* Synthesis::MedialBalls()
 {
-  return this->Own->MedialBalls();
+  return this->Impl->MedialBalls();
 }
 
 vtkMultiBlockDataSet* Synthesis::Photographs()
 {
-  return this->Own->Photographs();
+  return this->Impl->Photographs();
 }
 
 NovelView Synthesis::Render(const Camera& camera, Stage upTo)
 {
-  return this->Own->Render(camera, upTo, false).back();
+  return this->Impl->Render(camera, upTo, false).back();
 }
 
 std::vector<NovelView> Synthesis::RenderStages(const Camera& camera, Stage upTo)
 {
-  return this->Own->Render(camera, upTo, true);
+  return this->Impl->Render(camera, upTo, true);
 }
 
 vtkSmartPointer<vtkImageData> Synthesis::Texture(vtkPolyData* mesh, const Camera& camera)
 {
-  return this->Own->Texture(mesh, camera);
+  return this->Impl->Texture(mesh, camera);
 }
 }

@@ -17,7 +17,7 @@
 
 namespace novelview
 {
-struct ViewIndependent;
+struct SceneGeometry;
 
 /** One line of the RMS tables: state of the refinement after one iteration. */
 struct IterationState
@@ -65,12 +65,12 @@ public:
   Synthesis(
     vtkMultiBlockDataSet* views, const SynthesisOptions& options, SynthesisListener listener = {});
   /** From what another one has Prepared(), in this process or another. It knows no hull. */
-  Synthesis(const ViewIndependent& prepared, const SynthesisOptions& options,
+  Synthesis(const SceneGeometry& prepared, const SynthesisOptions& options,
     SynthesisListener listener = {});
   ~Synthesis();
 
   /** Runs every stage that does not depend on the novel camera, and gives what they made. */
-  ViewIndependent Prepared();
+  SceneGeometry Prepared();
 
   vtkPolyData* Hull();  ///< points with normals
   vtkPolyData* Crust(); ///< closed mesh on the hull's points
@@ -89,7 +89,7 @@ public:
 
 private:
   class Internals;
-  std::unique_ptr<Internals> Own;
+  std::unique_ptr<Internals> Impl;
 };
 }
 

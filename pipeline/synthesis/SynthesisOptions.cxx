@@ -117,7 +117,7 @@ OptionTable OptionsOf(SynthesisOptions& options)
       &options.OcclusionSoftness, 0, 100 },
     { "exposureGains", "bring the photographs to one exposure; needs the depth maps", "", texture,
       &options.ExposureGains },
-    { "rimSamples", "sub-rays per pixel side at the rim, odd; 1 = no antialiasing", "", texture,
+    { "rimSamples", "subsamples per pixel side at the rim, odd; 1 = no antialiasing", "", texture,
       &options.RimSamples, 1, 9 },
     { "softRim", "draw also pixels of which less than half is covered; for films", "", texture,
       &options.SoftRim },

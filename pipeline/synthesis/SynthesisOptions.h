@@ -64,7 +64,7 @@ struct SynthesisOptions
   double FeatherPx = 2.0;       ///< a photograph's weight grows over this from its contour inwards
   double OcclusionSoftness = 0; ///< pixel footprints; 0 = hard
   bool ExposureGains = false;   ///< bring the photographs to one exposure; needs depth maps
-  int RimSamples = 1;           ///< sub-rays per pixel side at the rim; 1 = no antialiasing
+  int RimSamples = 1;           ///< subsamples per pixel side at the rim; 1 = no antialiasing
   bool SoftRim = false;         ///< also draw pixels of which less than half is covered; for films
 };
 

@@ -150,13 +150,13 @@ std::string VideoExtensions()
 }
 
 VideoFile::VideoFile(const fs::path& path, int width, int height, double fps)
-  : Own(std::make_unique<Internals>())
+  : Impl(std::make_unique<Internals>())
 {
-  this->Own->Path = path;
-  this->Own->Size = cv::Size(width, height);
-  this->Own->Padded = cv::Mat::zeros(height + height % 2, width + width % 2, CV_8UC3);
+  this->Impl->Path = path;
+  this->Impl->Size = cv::Size(width, height);
+  this->Impl->Padded = cv::Mat::zeros(height + height % 2, width + width % 2, CV_8UC3);
   // Before the rest: libraries may count processors or start threads when they are loaded.
-  this->Own->Encoder = NewEncoder();
+  this->Impl->Encoder = NewEncoder();
   const StderrSilence silence; // of libraries that tell which codecs they have not
   const OneProcessor one;
   const ZeroedMemory zeroed;
@@ -166,7 +166,7 @@ VideoFile::VideoFile(const fs::path& path, int width, int height, double fps)
     codecs == CodecsByExtension().end() ? std::vector<std::string>() : codecs->second)
   {
     tried += (tried.empty() ? "" : ", ") + codec;
-    if (this->Own->Encoder->Open(path.string(), codec, fps, this->Own->Padded.size()))
+    if (this->Impl->Encoder->Open(path.string(), codec, fps, this->Impl->Padded.size()))
     {
       return;
     }
@@ -180,13 +180,13 @@ VideoFile::~VideoFile() = default;
 
 void VideoFile::Add(const ImageRef<const std::uint8_t>& frame)
 {
-  if (cv::Size(frame.Width, frame.Height) != this->Own->Size || frame.Channels != 3)
+  if (cv::Size(frame.Width, frame.Height) != this->Impl->Size || frame.Channels != 3)
   {
-    throw Error("frame " + std::to_string(this->Own->Frames), "is not of the video's size");
+    throw Error("frame " + std::to_string(this->Impl->Frames), "is not of the video's size");
   }
   for (int y = 0; y < frame.Height; ++y)
   {
-    auto* row = this->Own->Padded.ptr<std::uint8_t>(y);
+    auto* row = this->Impl->Padded.ptr<std::uint8_t>(y);
     for (int x = 0; x < frame.Width; ++x)
     {
       for (int channel = 0; channel < 3; ++channel)
@@ -196,14 +196,14 @@ void VideoFile::Add(const ImageRef<const std::uint8_t>& frame)
     }
   }
   const ZeroedMemory zeroed;
-  this->Own->Encoder->Write(this->Own->Padded);
-  ++this->Own->Frames;
+  this->Impl->Encoder->Write(this->Impl->Padded);
+  ++this->Impl->Frames;
 }
 
 bool VideoFile::Close()
 {
   const StderrSilence silence;
   // OpenCV does not say when it could not write, e.g. on a full disk.
-  return this->Own->Encoder->Close() == this->Own->Frames && IsWholeVideo(this->Own->Path);
+  return this->Impl->Encoder->Close() == this->Impl->Frames && IsWholeVideo(this->Impl->Path);
 }
 }

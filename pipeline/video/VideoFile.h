@@ -40,7 +40,7 @@ public:
 
 private:
   class Internals;
-  std::unique_ptr<Internals> Own;
+  std::unique_ptr<Internals> Impl;
 };
 }
 

@@ -75,7 +75,7 @@ private:
 
 //------------------------------------------------------------------------------
 vtkNovelViewSynthesiser::vtkNovelViewSynthesiser()
-  : Own(std::make_unique<Internals>())
+  : Impl(std::make_unique<Internals>())
 {
   this->SetNumberOfOutputPorts(2);
 }
@@ -106,7 +106,7 @@ void vtkNovelViewSynthesiser::SetPreset(const char* name)
 {
   try
   {
-    this->Own->SetOptions(novelview::PresetOptions(name ? name : ""));
+    this->Impl->SetOptions(novelview::PresetOptions(name ? name : ""));
     this->Modified();
   }
   catch (const std::exception& error)
@@ -118,7 +118,7 @@ void vtkNovelViewSynthesiser::SetPreset(const char* name)
 //------------------------------------------------------------------------------
 std::string vtkNovelViewSynthesiser::GetPreset()
 {
-  return this->Own->Options.Preset;
+  return this->Impl->Options.Preset;
 }
 
 //------------------------------------------------------------------------------
@@ -126,7 +126,7 @@ bool vtkNovelViewSynthesiser::SetOptions(const char* json)
 {
   try
   {
-    this->Own->SetOptions(Internals::Changed(this->Own->Options, json ? json : ""));
+    this->Impl->SetOptions(Internals::Changed(this->Impl->Options, json ? json : ""));
     this->Modified();
     return true;
   }
@@ -140,13 +140,13 @@ bool vtkNovelViewSynthesiser::SetOptions(const char* json)
 //------------------------------------------------------------------------------
 std::string vtkNovelViewSynthesiser::GetOptions()
 {
-  return novelview::DumpJson(novelview::ToJson(novelview::OptionsOf(this->Own->Options), "."), -1);
+  return novelview::DumpJson(novelview::ToJson(novelview::OptionsOf(this->Impl->Options), "."), -1);
 }
 
 //------------------------------------------------------------------------------
 std::string vtkNovelViewSynthesiser::GetOptionHelp(const char* name)
 {
-  for (const novelview::Option& option : novelview::OptionsOf(this->Own->Options))
+  for (const novelview::Option& option : novelview::OptionsOf(this->Impl->Options))
   {
     if (name && option.Key == name)
     {
@@ -196,7 +196,7 @@ int vtkNovelViewSynthesiser::RequestData(
     {
       const novelview::Camera camera = novelview::RequireCamera(this->Camera);
       const novelview::NovelView view =
-        this->Own->ChainFor(vtkMultiBlockDataSet::GetData(inputs[0]), this)
+        this->Impl->ChainFor(vtkMultiBlockDataSet::GetData(inputs[0]), this)
           .Render(camera, static_cast<novelview::Stage>(this->Stage));
       vtkImageData* image = vtkImageData::GetData(outputs, 0);
       image->ShallowCopy(view.Image);

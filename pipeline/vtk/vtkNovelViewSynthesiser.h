@@ -109,7 +109,7 @@ private:
   void operator=(const vtkNovelViewSynthesiser&) = delete;
 
   class Internals;
-  std::unique_ptr<Internals> Own;
+  std::unique_ptr<Internals> Impl;
 };
 
 #endif

@@ -53,7 +53,7 @@ protected:
     EXPECT_EQ(end.Code, code) << end.Err;
     EXPECT_THAT(end.Err, testing::StartsWith("novelview: error: "));
     EXPECT_EQ(std::count(end.Err.begin(), end.Err.end(), '\n'), 1) << end.Err;
-    EXPECT_LE(end.Err.size(), MostInLine + std::string("novelview: error: \n").size());
+    EXPECT_LE(end.Err.size(), MaxInLine + std::string("novelview: error: \n").size());
     EXPECT_TRUE(IsUtf8(end.Err)) << end.Err;
     for (const std::string& part : parts)
     {

@@ -29,9 +29,9 @@ protected:
     Bunny = std::make_unique<GeneratedData>(
       std::vector<std::string>{ "--views", "6", "--step", "60", "--size", "96x72" });
     // What the libraries take before main() begins. With less the loader says so, and ends with 127.
-    while (LeastMiB < 2000 && RunWithin(LeastMiB, { "--version" }).Code != 0)
+    while (MinMiB < 2000 && RunWithin(MinMiB, { "--version" }).Code != 0)
     {
-      LeastMiB += 20;
+      MinMiB += 20;
     }
   }
   static void TearDownTestSuite() { Bunny.reset(); }
@@ -40,7 +40,7 @@ protected:
   static void ExpectOneLine(int range, int step, const std::vector<std::string>& words)
   {
     int failed = 0;
-    for (int mebibytes = LeastMiB; mebibytes <= LeastMiB + range; mebibytes += step)
+    for (int mebibytes = MinMiB; mebibytes <= MinMiB + range; mebibytes += step)
     {
       const ProcessEnd end = RunWithin(mebibytes, words);
       if (end.Code == 0)
@@ -58,7 +58,7 @@ protected:
   }
 
   static inline std::unique_ptr<GeneratedData> Bunny;
-  static inline int LeastMiB = 300;
+  static inline int MinMiB = 300;
 };
 }
 

@@ -5,7 +5,7 @@
 #include "ViewAccess.h"
 #include "core/Execution.h"
 #include "generator/Generator.h"
-#include "generator/Photographer.h"
+#include "generator/SyntheticRenderer.h"
 #include "hull/VisualHull.h"
 #include "images/ImageFile.h"
 #include "mesh/ObjectMesh.h"
@@ -44,7 +44,7 @@ vtkSmartPointer<vtkMultiBlockDataSet> TakePhotographs(const PhotoSet& set)
 {
   const GeneratorOptions options = OptionsFor(set);
   const Rig rig = MakeRig(Bunny(), options);
-  Photographer photographer(
+  SyntheticRenderer photographer(
     Bunny(), { options.Texture, options.Lit, options.Seed }, options.Supersampling);
   auto views = vtkSmartPointer<vtkMultiBlockDataSet>::New();
   for (const Camera& camera : rig.Views)

@@ -2,7 +2,7 @@
 // A job file or, when the first byte is odd, the camera path of a film. The rest is the file.
 #include "FuzzSupport.h"
 #include "commands/RunOptions.h"
-#include "video/FramePlan.h"
+#include "video/CameraTrajectory.h"
 
 namespace
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Threads.h"
-#include "deformation/FieldDeformation.h"
 #include "deformation/NonOutlineDeformation.h"
 #include "deformation/OutlineDeformation.h"
+#include "deformation/TsdfDeformation.h"
 #include "geometry/Visibility.h"
 #include "support/VtkScene.h"
 #include "vtkNonOutlineDeformer.h"
@@ -280,7 +280,7 @@ struct MappedCase
 };
 
 /** What the kernel makes of the outline with these options. */
-std::vector<Vector3d> OutlineOf(const MappedCase& mapped, FieldDeformationOptions options)
+std::vector<Vector3d> OutlineOf(const MappedCase& mapped, TsdfDeformationOptions options)
 {
   const SphereCase& sphere = TheCase();
   options.Iterations = 3;
@@ -303,7 +303,7 @@ TEST(OutlineDeformer, ContourPredictionIsOnUntilSwitchedOff)
   const auto with = Updated(deformer);
   EXPECT_EQ(with, OutlineOf(mapped, OptionsForNoise(0)));
   deformer->UseContourPredictionOff();
-  FieldDeformationOptions off = OptionsForNoise(0);
+  TsdfDeformationOptions off = OptionsForNoise(0);
   off.Silhouette.PredictionWeight = 0;
   const auto without = Updated(deformer);
   EXPECT_EQ(without, OutlineOf(mapped, off));
@@ -318,14 +318,14 @@ TEST(OutlineDeformer, TakesTheNoiseAndPriorThatAreSetBeforeThoseOfTheViews)
   AttachNumber(mapped.Blocks, arrays::DepthNoise, 0.8);
   AttachNumber(mapped.Blocks, arrays::SilhouettePrior, 0.5);
   mapped.Blocks->Modified();
-  FieldDeformationOptions attached = OptionsForNoise(0.8);
+  TsdfDeformationOptions attached = OptionsForNoise(0.8);
   attached.Outline.SilhouettePrior = 0.5;
   const auto measured = Updated(deformer);
   EXPECT_EQ(measured, OutlineOf(mapped, attached));
   EXPECT_NE(measured, plain);
   deformer->SetDepthNoise(0.4);
   deformer->SetSilhouettePrior(0.9);
-  FieldDeformationOptions set = OptionsForNoise(0.4);
+  TsdfDeformationOptions set = OptionsForNoise(0.4);
   set.Outline.SilhouettePrior = 0.9;
   const auto told = Updated(deformer);
   EXPECT_EQ(told, OutlineOf(mapped, set));

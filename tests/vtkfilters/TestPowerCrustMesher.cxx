@@ -265,6 +265,6 @@ TEST(PowerCrustMesher, PrintsEveryMember)
   mesher->Print(text);
   EXPECT_THAT(text.str(), testing::HasSubstr("OutputType: DelaunayCrust"));
   EXPECT_THAT(text.str(), testing::HasSubstr("UseNormals: on"));
-  EXPECT_THAT(text.str(), testing::HasSubstr("MinimumPieceSamples: 0"));
+  EXPECT_THAT(text.str(), testing::HasSubstr("MinimumComponentSamples: 0"));
   EXPECT_THAT(text.str(), testing::HasSubstr("RecoverSamples: on"));
 }

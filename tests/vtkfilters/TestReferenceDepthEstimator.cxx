@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Threads.h"
-#include "deformation/FieldDeformation.h"
+#include "deformation/TsdfDeformation.h"
 #include "fusion/SilhouettePrior.h"
 #include "geometry/ViewSelection.h"
 #include "stereo/MapComparison.h"

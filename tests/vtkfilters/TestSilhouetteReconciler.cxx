@@ -54,13 +54,13 @@ TEST(SilhouetteReconciler, OptionsDecideWhatStandsOut)
   const auto blocks = ToBlocks(PhotosWithASmallOne(5));
   vtkNew<vtkSilhouetteReconciler> reconciler;
   reconciler->SetInputData(blocks);
-  reconciler->SetLeastOffset(4);
+  reconciler->SetMinOffset(4);
   reconciler->Update();
   EXPECT_EQ(AttachedNumber(ViewImage(reconciler->GetOutput(), 5), arrays::ContourOffset, -1), 0);
-  reconciler->SetLeastOffset(0.5);
+  reconciler->SetMinOffset(0.5);
   reconciler->Update();
   EXPECT_GT(AttachedNumber(ViewImage(reconciler->GetOutput(), 5), arrays::ContourOffset, -1), 1);
-  reconciler->SetLeastShare(1);
+  reconciler->SetMinShare(1);
   reconciler->Update();
   // Nobody stands out by as much as all rays; what is left is the slack that all get.
   EXPECT_EQ(AttachedNumber(ViewImage(reconciler->GetOutput(), 5), arrays::ContourOffset, -1),

@@ -28,7 +28,7 @@ TEST(ErrorText, WordsOfTenMegabytesAreCutInTheMiddle)
   const std::string text = Error(
     "folder/data_par.txt, line 1", "value 1 is no number", std::string(10000000, 'a'), "a number")
                              .what();
-  EXPECT_EQ(text.size(), MostInLine);
+  EXPECT_EQ(text.size(), MaxInLine);
   EXPECT_THAT(text, StartsWith("folder/data_par.txt, line 1: value 1 is no number (got aaa"));
   EXPECT_THAT(text, HasSubstr("..."));
   EXPECT_THAT(text, EndsWith("aaa, expected a number)"));
@@ -38,7 +38,7 @@ TEST(ErrorText, LongPathsKeepTheirEnd)
 {
   const std::string path = "/" + std::string(2000, 'd') + "/bunny_par.txt, line 4";
   const std::string text = Error(path, "calibration line is short", "20 values", "21").what();
-  EXPECT_EQ(text.size(), MostInLine);
+  EXPECT_EQ(text.size(), MaxInLine);
   EXPECT_THAT(text, StartsWith("/ddd"));
   EXPECT_THAT(text,
     HasSubstr("ddd/bunny_par.txt, line 4: calibration line is short (got 20 values, expected 21)"));
@@ -49,7 +49,7 @@ TEST(ErrorText, EveryLongPartKeepsAShare)
   const std::string text = Error("w" + std::string(999, '.'), "x" + std::string(999, '.'),
     "y" + std::string(999, '.'), "z" + std::string(999, '.'))
                              .what();
-  EXPECT_LE(text.size(), MostInLine);
+  EXPECT_LE(text.size(), MaxInLine);
   for (const char* part : { "w....", ": x....", " (got y....", ", expected z...." })
   {
     EXPECT_THAT(text, HasSubstr(part));
@@ -97,7 +97,7 @@ TEST(ErrorText, AnyBytesGiveOneLineOfUtf8)
       std::generate(part.begin(), part.end(), [&] { return static_cast<char>(byte(random)); });
     }
     const std::string text = Error(parts[0], parts[1], parts[2], parts[3]).what();
-    EXPECT_LE(text.size(), MostInLine);
+    EXPECT_LE(text.size(), MaxInLine);
     EXPECT_TRUE(IsUtf8(text));
     EXPECT_EQ(text.find_first_of(std::string("\0\n\r\t\x1B", 5)), std::string::npos);
   }

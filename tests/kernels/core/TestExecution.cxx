@@ -59,7 +59,7 @@ TEST(Execution, ReportStopsWhenTheListenerSaysSo)
   execution.Report(0.25);
   EXPECT_THROW(execution.Report(0.5), Interrupted);
   EXPECT_EQ(heard, (std::vector<double>{ 0.25, 0.5 }));
-  EXPECT_THROW(execution.Tick(), Interrupted) << "who was told to stop stays so";
+  EXPECT_THROW(execution.CheckCancelled(), Interrupted) << "who was told to stop stays so";
 }
 
 TEST(Execution, AStopReachesTheMiddleOfALoopOnEveryThread)
@@ -96,7 +96,7 @@ TEST(Execution, AStopReachesALongBodyThatTicks)
         for (int step = 0; step < 10000; ++step)
         {
           stop = stop || (i == 0 && step == 10);
-          execution.Tick();
+          execution.CheckCancelled();
           Sleep(1);
         }
         ++ended;

@@ -444,9 +444,9 @@ TEST(PowerCrust, BadInputIsAnError)
   ExpectError([&] { ComputePowerCrust(good, &tooFew, PowerCrustOptions(), Execution()); },
     "wrong number of normals (got 50, expected 100)");
   PowerCrustOptions options;
-  options.MinimumPieceSamples = -1;
+  options.MinimumComponentSamples = -1;
   ExpectError([&] { ComputePowerCrust(good, nullptr, options, Execution()); },
-    "MinimumPieceSamples is out of range (got -1");
+    "MinimumComponentSamples is out of range (got -1");
 }
 
 TEST(PowerCrust, StopsWhenAsked)

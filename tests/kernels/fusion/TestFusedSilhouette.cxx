@@ -11,13 +11,13 @@ using namespace support;
 
 namespace
 {
-const FusionOptions Outline{ 2, 0.05, 0.12 }; ///< as FieldDeformationOptions has it
+const FusionOptions Outline{ 2, 0.05, 0.12 }; ///< as TsdfDeformationOptions has it
 
 Image<float> SilhouetteOf(const TriangleMesh& mesh, const std::vector<View>& views,
   const Camera& novel, const FusedSilhouetteOptions& options, const Execution& execution = {})
 {
   const double footprint = MedianFootprint(views, Vector3d::Zero());
-  const FusedField field(views, Outline, footprint);
+  const TsdfField field(views, Outline, footprint);
   return FusedSilhouette(mesh, views, field, novel, footprint, options, execution);
 }
 

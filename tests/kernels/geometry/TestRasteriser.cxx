@@ -161,7 +161,7 @@ TEST(Rasteriser, SubRaysSeeWhatAPictureThreeTimesAsLargeSees)
   {
     chosen.Values[i] = 1;
   }
-  const SubRays rays = MeshInFrame(mesh, camera, {}).RasteriseSubRays(chosen, 3);
+  const Subsamples rays = ProjectedMesh(mesh, camera, {}).RasteriseSubsamples(chosen, 3);
   int different = 0;
   int hits = 0;
   for (int y = 0; y < fine.Height; ++y)
@@ -186,19 +186,20 @@ TEST(Rasteriser, SubRaysSeeWhatAPictureThreeTimesAsLargeSees)
   EXPECT_GT(hits, 1000);
   // The same rays; rounding may decide otherwise only where one runs exactly through an edge.
   EXPECT_LE(different, 1);
-  const SubRays threads = MeshInFrame(mesh, camera, InThreads(3)).RasteriseSubRays(chosen, 3);
+  const Subsamples threads =
+    ProjectedMesh(mesh, camera, InThreads(3)).RasteriseSubsamples(chosen, 3);
   EXPECT_EQ(threads.CellId, rays.CellId);
   EXPECT_EQ(threads.Depth, rays.Depth);
 }
 
-TEST(Rasteriser, DepthBehindComparesWithTheDeepestOfNineNeighbours)
+TEST(Rasteriser, OcclusionDepthComparesWithTheDeepestOfNineNeighbours)
 {
   Image<float> depth(5, 5, 1, 2.f);
   depth(2, 1) = 2.5f;
   depth(4, 4) = std::numeric_limits<float>::infinity();
   const auto ref = std::as_const(depth).Ref();
-  EXPECT_DOUBLE_EQ(DepthBehind(ref, Vector2d(1.6, 2.4), 3), 0.5); // (2,2) sees (2,1)
-  EXPECT_DOUBLE_EQ(DepthBehind(ref, Vector2d(0, 4), 3), 1);
-  EXPECT_DOUBLE_EQ(DepthBehind(ref, Vector2d(4, 4), 1.5), -0.5); // infinity is no surface
-  EXPECT_EQ(DepthBehind(ref, Vector2d(9, 9), 3), -std::numeric_limits<double>::infinity());
+  EXPECT_DOUBLE_EQ(OcclusionDepth(ref, Vector2d(1.6, 2.4), 3), 0.5); // (2,2) sees (2,1)
+  EXPECT_DOUBLE_EQ(OcclusionDepth(ref, Vector2d(0, 4), 3), 1);
+  EXPECT_DOUBLE_EQ(OcclusionDepth(ref, Vector2d(4, 4), 1.5), -0.5); // infinity is no surface
+  EXPECT_EQ(OcclusionDepth(ref, Vector2d(9, 9), 3), -std::numeric_limits<double>::infinity());
 }

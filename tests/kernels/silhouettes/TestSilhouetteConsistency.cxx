@@ -91,7 +91,7 @@ TEST(SilhouetteConsistency, CamerasThatAreOffGiveEveryoneSlack)
     EXPECT_EQ(offset, offsets[0]);
   }
   EXPECT_GT(offsets[0], 0.25);
-  EXPECT_LE(offsets[0], options.MostSlackPx);
+  EXPECT_LE(offsets[0], options.MaxSlackPx);
 }
 
 TEST(SilhouetteConsistency, SilhouettesThatBoundNoBoxAreLeftToOthersToReport)

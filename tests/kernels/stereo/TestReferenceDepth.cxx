@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/ViewSelection.h"
-#include "stereo/MatchingVolume.h"
+#include "stereo/CostVolume.h"
 #include "stereo/ReferenceDepth.h"
 #include "support/Expect.h"
 #include "support/Scene.h"
@@ -12,19 +12,19 @@ namespace
 {
 std::int16_t InUnits(float cost)
 {
-  return static_cast<std::int16_t>(std::lround(cost * MatchingVolume::Unit));
+  return static_cast<std::int16_t>(std::lround(cost * CostVolume::Unit));
 }
 
 /** The cost of a label at a pixel of the box. */
-float CostAt(const MatchingVolume& volume, int x, int y, int label)
+float CostAt(const CostVolume& volume, int x, int y, int label)
 {
-  return static_cast<float>(volume.Row(y, label)[x]) / MatchingVolume::Unit;
+  return static_cast<float>(volume.Row(y, label)[x]) / CostVolume::Unit;
 }
 
 /** A volume of one row with the given costs: costs[x][label]. */
-MatchingVolume OneRow(const std::vector<std::vector<float>>& costs)
+CostVolume OneRow(const std::vector<std::vector<float>>& costs)
 {
-  MatchingVolume volume;
+  CostVolume volume;
   volume.Box = { 0, 0, static_cast<int>(costs.size()) - 1, 0 };
   volume.Labels = { 0, 1, static_cast<int>(costs.front().size()) };
   volume.Costs.resize(costs.size() * costs.front().size());
@@ -39,7 +39,7 @@ MatchingVolume OneRow(const std::vector<std::vector<float>>& costs)
 }
 }
 
-TEST(MatchingVolume, ReducedImagesKeepTheGeometry)
+TEST(CostVolume, ReducedImagesKeepTheGeometry)
 {
   const Photo photo = Take(Sphere(Vector3d::Zero(), 0.5), Waves(0.4), OnRing(20), "p");
   const MatchImage half = MakeMatchImage(photo.AsView(), 2);
@@ -51,7 +51,7 @@ TEST(MatchingVolume, ReducedImagesKeepTheGeometry)
   EXPECT_LT((half.Cam.Project(point) - (full - Vector2d(0.5, 0.5)) / 2).norm(), 1e-9);
 }
 
-TEST(MatchingVolume, ReducedPixelsAreMeansOverTheObject)
+TEST(CostVolume, ReducedPixelsAreMeansOverTheObject)
 {
   Photo photo = Take(Rectangle(9, 9), Plain(0, 0, 0), OnRing(0), "p", 1);
   const double greys[4] = { 10, 20, 41, 200 };
@@ -72,7 +72,7 @@ TEST(MatchingVolume, ReducedPixelsAreMeansOverTheObject)
   EXPECT_EQ(half.Pixels(5, 5, 3), 1) << "black object is not background";
 }
 
-TEST(MatchingVolume, TheLeastCostIsAtTheTrueDepthOfAPlane)
+TEST(CostVolume, TheLeastCostIsAtTheTrueDepthOfAPlane)
 {
   const Shape plane = Rectangle(0.7, 0.5);
   const auto photos = TakeAll(plane, Waves(0.16), { OnRing(0), OnRing(25), OnRing(-25) });
@@ -89,8 +89,8 @@ TEST(MatchingVolume, TheLeastCostIsAtTheTrueDepthOfAPlane)
   }
   const Image<float> last(160, 120, 1, 1.f);
   const PixelBox box = BoxOfBase(base);
-  const OffsetLabels labels{ 0, 0.02, 11 };
-  const MatchingVolume volume =
+  const DepthHypotheses labels{ 0, 0.02, 11 };
+  const CostVolume volume =
     MatchNeighbours(images[0], base, last, { &images[1], &images[2] }, box, labels, {});
   int right = 0;
   int total = 0;
@@ -114,19 +114,19 @@ TEST(MatchingVolume, TheLeastCostIsAtTheTrueDepthOfAPlane)
   EXPECT_GT(right, 0.95 * total);
 }
 
-TEST(MatchingVolume, NothingIsMatchedBeyondTheLastOffset)
+TEST(CostVolume, NothingIsMatchedBeyondTheLastOffset)
 {
   const auto photos = TakeAll(Rectangle(0.7, 0.5), Waves(0.16), { OnRing(0), OnRing(25) });
   const MatchImage key = MakeMatchImage(photos[0].AsView(), 1);
   const MatchImage other = MakeMatchImage(photos[1].AsView(), 1);
   const Image<float> last(160, 120, 1, 0.05f);
-  const OffsetLabels labels{ 0, 0.1, 2 };
+  const DepthHypotheses labels{ 0, 0.1, 2 };
   const PixelBox box{ 70, 50, 90, 70 };
   const auto volume = MatchNeighbours(key, photos[0].TrueDepth, last, { &other }, box, labels, {});
   EXPECT_LT(CostAt(volume, 10, 10, 0), 0.2f);
   EXPECT_EQ(CostAt(volume, 10, 10, 1), 1.f);
   const auto alone = MatchNeighbours(key, photos[0].TrueDepth, last, {}, box, labels, {});
-  EXPECT_THAT(alone.Costs, testing::Each(MatchingVolume::Unit));
+  EXPECT_THAT(alone.Costs, testing::Each(CostVolume::Unit));
 }
 
 TEST(SemiGlobal, WithoutPenaltiesEveryDirectionAddsTheCostsThemselves)
@@ -146,9 +146,9 @@ TEST(SemiGlobal, NeighboursDecideWhereAPixelDoesNotKnow)
   const auto volume = OneRow({ { 0, 1, 1 }, { 0.3f, 0.3f, 0.25f }, { 0, 1, 1 } });
   const Image<float> base(3, 1, 1, 1.f);
   Image<std::uint8_t> winner;
-  WinningDepth(AggregateSemiGlobally(volume, base, { 0.03, 0.2 }), base, winner);
+  WinnerTakesAll(AggregateSemiGlobally(volume, base, { 0.03, 0.2 }), base, winner);
   EXPECT_EQ(winner(1, 0), 0);
-  WinningDepth(AggregateSemiGlobally(volume, base, { 0, 0 }), base, winner);
+  WinnerTakesAll(AggregateSemiGlobally(volume, base, { 0, 0 }), base, winner);
   EXPECT_EQ(winner(1, 0), 2);
 }
 
@@ -158,7 +158,8 @@ TEST(SemiGlobal, PathsDoNotCrossPixelsWithoutABase)
   Image<float> base(3, 1, 1, 1.f);
   base(0, 0) = base(2, 0) = 0;
   Image<std::uint8_t> winner;
-  const auto depth = WinningDepth(AggregateSemiGlobally(volume, base, { 0.03, 0.2 }), base, winner);
+  const auto depth =
+    WinnerTakesAll(AggregateSemiGlobally(volume, base, { 0.03, 0.2 }), base, winner);
   EXPECT_EQ(winner(1, 0), 2);
   EXPECT_EQ(depth(0, 0), 0);
 }
@@ -170,7 +171,7 @@ TEST(SemiGlobal, TheDepthIsRefinedByAParabola)
   volume.Labels.Step = 0.1;
   const Image<float> base(1, 1, 1, 2.f);
   Image<std::uint8_t> winner;
-  const auto depth = WinningDepth(volume, base, winner);
+  const auto depth = WinnerTakesAll(volume, base, winner);
   EXPECT_EQ(winner(0, 0), 1);
   // The vertex of the parabola through (0,3), (1,1), (2,2) is at 1 + 1/6.
   EXPECT_NEAR(depth(0, 0), 2 + 0.5 + 0.1 * (1 + 1. / 6), 1e-6);
@@ -182,10 +183,10 @@ TEST(ReferenceDepth, MedianSkipsTheUnknown)
   image(0, 0) = 5;
   image(1, 0) = 1;
   image(2, 2) = 3;
-  const auto median = MedianOfKnown(image, 1);
+  const auto median = MaskedMedian(image, 1);
   EXPECT_EQ(median(1, 1), 0) << "the unknown stays unknown";
   EXPECT_EQ(median(0, 0), 5) << "of 1 and 5 the upper";
-  EXPECT_EQ(MedianOfKnown(image, 2)(1, 0), 3);
+  EXPECT_EQ(MaskedMedian(image, 2)(1, 0), 3);
 }
 
 TEST(ReferenceDepth, ConfidenceFallsWithAgreement)

@@ -24,7 +24,7 @@ struct Written
 };
 
 template <class Body>
-Written Talk(Verbosity verbosity, const Body& body)
+Written DispatchLoop(Verbosity verbosity, const Body& body)
 {
   const TemporaryFolder folder;
   std::FILE* out = std::fopen((folder / "out").c_str(), "w");
@@ -51,14 +51,14 @@ void SayEverything(Console& console)
 
 TEST(Console, WritesWholeLinesWhereThereIsNoTerminal)
 {
-  const Written normal = Talk(Verbosity::Normal, SayEverything);
+  const Written normal = DispatchLoop(Verbosity::Normal, SayEverything);
   EXPECT_EQ(normal.Out, "hull done in 1.25 s\nan info\n");
   EXPECT_EQ(normal.Err, "novelview: warning: a warning {}\nnovelview: error: an error\n");
 }
 
 TEST(Console, EveryLineIsOnePrintableLine)
 {
-  const Written written = Talk(Verbosity::Verbose,
+  const Written written = DispatchLoop(Verbosity::Verbose,
     [](Console& console)
     {
       console.Warn(std::string(10000000, 'a') + "\n\x1B[31m");
@@ -109,20 +109,20 @@ TEST(Console, OnATerminalTheBarsTimeGoesOnByItself)
 
 TEST(Console, QuietKeepsWarningsAndErrors)
 {
-  const Written quiet = Talk(Verbosity::Quiet, SayEverything);
+  const Written quiet = DispatchLoop(Verbosity::Quiet, SayEverything);
   EXPECT_EQ(quiet.Out, "");
   EXPECT_EQ(quiet.Err, "novelview: warning: a warning {}\nnovelview: error: an error\n");
 }
 
 TEST(Console, VerboseTellsDetails)
 {
-  EXPECT_EQ(
-    Talk(Verbosity::Verbose, SayEverything).Out, "hull done in 1.25 s\nan info\na detail\n");
+  EXPECT_EQ(DispatchLoop(Verbosity::Verbose, SayEverything).Out,
+    "hull done in 1.25 s\nan info\na detail\n");
 }
 
 TEST(Console, TimingsAreStagesWholeThreadsAndMemory)
 {
-  Talk(Verbosity::Quiet,
+  DispatchLoop(Verbosity::Quiet,
     [](Console& console)
     {
       console.StageDone("visual hull", 1);
@@ -153,7 +153,7 @@ TEST(Console, TimingsAreStagesWholeThreadsAndMemory)
 
 TEST(Console, SummaryAddsUpStagesAndTellsMemory)
 {
-  const Written written = Talk(Verbosity::Normal,
+  const Written written = DispatchLoop(Verbosity::Normal,
     [](Console& console)
     {
       console.StageDone("hull", 1);

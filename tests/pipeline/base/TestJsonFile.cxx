@@ -71,9 +71,9 @@ TEST(JsonFile, AKeyThatIsThereTwiceIsNamed)
 TEST(JsonFile, NestingAHundredThousandDeepIsAnErrorAndNoCrash)
 {
   ExpectRefused(Nested(100000), "line 1, column 70: JSON is nested too deep");
-  ExpectRefused(Nested(MostJsonNesting), "nested too deep");
-  const auto deepest = ParseJson(Nested(MostJsonNesting - 1), "x");
-  EXPECT_EQ(DumpJson(deepest, -1).size(), Nested(MostJsonNesting - 1).size() - 1);
+  ExpectRefused(Nested(MaxJsonNesting), "nested too deep");
+  const auto deepest = ParseJson(Nested(MaxJsonNesting - 1), "x");
+  EXPECT_EQ(DumpJson(deepest, -1).size(), Nested(MaxJsonNesting - 1).size() - 1);
   // Brackets in texts are no nesting.
   EXPECT_NO_THROW(ParseJson("[\"" + std::string(1000, '[') + "\\\"" + "[\"]", "x"));
 }

@@ -273,7 +273,7 @@ TEST_F(DatasetCheck, AWrongCameraIsNamed)
     TurnCamera(photos[9], pixels);
     const CheckReport report = this->Check(photos);
     ASSERT_THAT(Kinds(report), ElementsAre("camera p9.png"));
-    EXPECT_TRUE(report.Agreement[9].Blamed);
+    EXPECT_TRUE(report.Agreement[9].Outlier);
     EXPECT_GT(report.MeanIouAfter.value_or(0), 0.99);
   }
 }
@@ -413,38 +413,38 @@ std::vector<Photograph> SixCameras()
   return cameras;
 }
 
-void ExpectOddity(const std::vector<Photograph>& cameras, int id, const std::string& kind)
+void ExpectAnomaly(const std::vector<Photograph>& cameras, int id, const std::string& kind)
 {
-  const std::vector<CameraOddity> oddities = FindCameraOddities(cameras);
-  ASSERT_EQ(oddities.size(), 1u) << kind;
-  EXPECT_EQ(oddities[0].Kind, kind);
-  EXPECT_EQ(oddities[0].CameraId, id);
+  const std::vector<CameraAnomaly> anomalies = FindCameraAnomalies(cameras);
+  ASSERT_EQ(anomalies.size(), 1u) << kind;
+  EXPECT_EQ(anomalies[0].Kind, kind);
+  EXPECT_EQ(anomalies[0].CameraId, id);
 }
 }
 
 TEST(CheckCameras, OddCamerasAreNamed)
 {
-  EXPECT_TRUE(FindCameraOddities(SixCameras()).empty());
+  EXPECT_TRUE(FindCameraAnomalies(SixCameras()).empty());
   std::vector<Photograph> cameras = SixCameras();
   cameras[1].Cam.K(0, 2) = 200; // of 160
-  ExpectOddity(cameras, 1, "principal-point");
+  ExpectAnomaly(cameras, 1, "principal-point");
   cameras = SixCameras();
   cameras[2].Cam.K.topLeftCorner<2, 2>() /= 20; // 20 px, an eighth of the frame
-  ExpectOddity(cameras, 2, "focal-length");
+  ExpectAnomaly(cameras, 2, "focal-length");
   cameras = SixCameras();
   cameras[3].Cam.K(1, 1) *= 1.5;
-  ExpectOddity(cameras, 3, "aspect");
+  ExpectAnomaly(cameras, 3, "aspect");
   cameras = SixCameras();
   cameras[4].Cam.R(0, 0) += 1e-4;
-  ExpectOddity(cameras, 4, "rotation");
+  ExpectAnomaly(cameras, 4, "rotation");
   cameras = SixCameras();
   cameras[5].Cam = cameras[0].Cam;
-  ExpectOddity(cameras, 5, "same-camera");
+  ExpectAnomaly(cameras, 5, "same-camera");
   cameras = SixCameras();
   // Looks out of the ring instead of in.
   cameras[0].Cam = LookAt(cameras[0].Cam.Centre(), 2 * cameras[0].Cam.Centre(),
     Eigen::Vector3d::UnitY(), cameras[0].Cam.K, 160, 120);
-  ExpectOddity(cameras, 0, "frustum");
+  ExpectAnomaly(cameras, 0, "frustum");
 }
 
 TEST(CheckPhotographs, OutliersAreFurtherOffThanTheOthersSpread)

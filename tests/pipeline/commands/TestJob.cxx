@@ -62,7 +62,7 @@ TEST(Options, KeysAndFlagsAreUniqueAndExplained)
       EXPECT_TRUE(flags.insert(FlagOf(option.Key)).second) << option.Key;
       EXPECT_FALSE(option.Help.empty()) << option.Key;
       EXPECT_FALSE(option.Group.empty()) << option.Key;
-      EXPECT_LE(option.Least, option.Most) << option.Key;
+      EXPECT_LE(option.Min, option.Max) << option.Key;
     }
   }
   EXPECT_EQ(FlagOf("hullSpacing"), "--hull-spacing");

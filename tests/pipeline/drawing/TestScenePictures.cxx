@@ -90,7 +90,7 @@ protected:
   vtkSmartPointer<vtkPolyData> Mesh = LoadObject("torus");
   vtkSmartPointer<vtkImageData> Novel;
   vtkSmartPointer<vtkImageData> Truth;
-  DesktopState State;
+  Dashboard State;
 };
 
 TEST_F(ScenePictures, DesktopShowsPicturesErrorAndCurve)

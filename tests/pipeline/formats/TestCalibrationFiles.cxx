@@ -155,7 +155,7 @@ TEST(CalibrationFiles, AnyChangeOfAFileGivesADataSetOrOneLine)
       const std::string line = ReadOrLine(folder.Path, format);
       WriteFile(folder / file.Path, file.Bytes);
       refused += line.empty() ? 0 : 1;
-      EXPECT_LE(line.size(), MostInLine);
+      EXPECT_LE(line.size(), MaxInLine);
       EXPECT_TRUE(IsUtf8(line));
       EXPECT_EQ(line.find('\n'), std::string::npos);
       for (const char* foreign : { "exception", "yaml-cpp", "OpenCV(", "std::", "basic_" })
@@ -182,7 +182,7 @@ TEST(CalibrationFiles, CutAnywhereGivesADataSetOrOneLine)
     for (std::size_t length = 0; length < last.Bytes.size(); length += 1 + length / 50)
     {
       WriteFile(folder / last.Path, last.Bytes.substr(0, length));
-      EXPECT_LE(ReadOrLine(folder.Path, format).size(), MostInLine);
+      EXPECT_LE(ReadOrLine(folder.Path, format).size(), MaxInLine);
     }
   }
 }

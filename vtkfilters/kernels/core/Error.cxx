@@ -35,7 +35,7 @@ std::size_t CommonLength(const std::array<std::string, Count>& parts, std::size_
   return most;
 }
 
-/** The parts, all printable, with fixed texts behind them; at most MostInLine bytes. */
+/** The parts, all printable, with fixed texts behind them; at most MaxInLine bytes. */
 template <std::size_t Count>
 std::string LineOf(
   const std::array<std::string, Count>& parts, const std::array<const char*, Count>& behind)
@@ -47,7 +47,7 @@ std::string LineOf(
     shown[i] = PrintableLine(parts[i]);
     fixed += std::string(behind[i]).size();
   }
-  const std::size_t length = CommonLength(shown, MostInLine - fixed);
+  const std::size_t length = CommonLength(shown, MaxInLine - fixed);
   std::string line;
   for (std::size_t i = 0; i < Count; ++i)
   {

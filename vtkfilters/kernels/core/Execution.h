@@ -21,7 +21,7 @@ namespace novelview
  * calling thread. Determinism rule: the body writes only to slots that belong to its own indices
  * and reads nothing that another index writes, so the bits do not depend on the split.
  *
- * It is asked often whether to stop: by ForEach() between the calls of its body, and by Tick(),
+ * It is asked often whether to stop: by ForEach() between the calls of its body, and by CheckCancelled(),
  * which everything calls on its way that takes a tenth of a second or more.
  */
 class Execution
@@ -53,25 +53,25 @@ public:
   /** Reports progress, and throws Interrupted when the listener asks to stop. Main thread only. */
   void Report(double fraction) const
   {
-    this->Pulse->Fraction = fraction;
+    this->Token->Fraction = fraction;
     this->Ask();
   }
 
   /** Throws Interrupted when somebody asks to stop. Costs some 50 ns; any thread. */
-  void Tick() const
+  void CheckCancelled() const
   {
-    if (this->Pulse->Stopping || this->StopRequested())
+    if (this->Token->Stopping || this->StopRequested())
     {
       throw Interrupted();
     }
-    if (std::this_thread::get_id() == this->Pulse->Main &&
-      Clock::now() - this->Pulse->Asked > std::chrono::milliseconds(50))
+    if (std::this_thread::get_id() == this->Token->Main &&
+      Clock::now() - this->Token->Asked > std::chrono::milliseconds(50))
     {
       this->Ask();
     }
   }
 
-  /** Calls body(i) for every i in [0, count), in parallel. Throws Interrupted as Tick() does. */
+  /** Calls body(i) for every i in [0, count), in parallel. Throws Interrupted as CheckCancelled() does. */
   template <class Body>
   void ForEach(std::int64_t count, const Body& body) const
   {
@@ -96,36 +96,36 @@ public:
         try
         {
           auto scratch = make();
-          Pace pace;
+          Throttle throttle;
           for (std::int64_t i = begin; i < end; ++i)
           {
-            if (pace.Due())
+            if (throttle.Due())
             {
-              this->Tick();
+              this->CheckCancelled();
             }
             body(scratch, i);
           }
         }
         catch (const Interrupted&)
         {
-          this->Pulse->Stopping = true;
+          this->Token->Stopping = true;
         }
       });
-    this->Tick();
+    this->CheckCancelled();
   }
 
 private:
   void Ask() const
   {
-    this->Pulse->Asked = Clock::now();
-    if (!this->Progress(this->Pulse->Fraction))
+    this->Token->Asked = Clock::now();
+    if (!this->Progress(this->Token->Fraction))
     {
-      this->Pulse->Stopping = true;
+      this->Token->Stopping = true;
       throw Interrupted();
     }
   }
 
-  struct PulseState
+  struct TokenState
   {
     const std::thread::id Main = std::this_thread::get_id();
     std::atomic<bool> Stopping = false;
@@ -134,7 +134,7 @@ private:
   };
 
   /** Tells a loop every few milliseconds that some have gone, and seldom looks at the clock. */
-  class Pace
+  class Throttle
   {
   public:
     bool Due()
@@ -157,7 +157,7 @@ private:
     int Left = 1;
   };
 
-  std::shared_ptr<PulseState> Pulse = std::make_shared<PulseState>();
+  std::shared_ptr<TokenState> Token = std::make_shared<TokenState>();
 };
 }
 

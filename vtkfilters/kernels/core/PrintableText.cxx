@@ -8,7 +8,7 @@ namespace novelview
 namespace
 {
 /** Texts that are longer are cut before anything else is done, so that no time goes into them. */
-constexpr std::size_t MostLookedAt = 4 * MostInLine;
+constexpr std::size_t MostLookedAt = 4 * MaxInLine;
 
 unsigned char ByteAt(std::string_view text, std::size_t at)
 {
@@ -69,10 +69,10 @@ std::size_t Utf8Length(std::string_view text, std::size_t at)
     }
   }
   // The shortest form only, no halves of surrogate pairs, nothing behind the last character.
-  constexpr std::array<char32_t, 5> Least{ 0, 0, 0x80, 0x800, 0x10000 };
+  constexpr std::array<char32_t, 5> Min{ 0, 0, 0x80, 0x800, 0x10000 };
   const char32_t code = CharacterAt(text, at, length);
   const bool valid =
-    code >= Least[length] && code <= 0x10FFFF && !(code >= 0xD800 && code <= 0xDFFF);
+    code >= Min[length] && code <= 0x10FFFF && !(code >= 0xD800 && code <= 0xDFFF);
   return valid ? length : 0;
 }
 
@@ -151,11 +151,11 @@ std::string PrintableLine(std::string_view text)
 {
   if (text.size() <= MostLookedAt)
   {
-    return Shortened(Printable(text), MostInLine);
+    return Shortened(Printable(text), MaxInLine);
   }
   // Both ends hold more than is kept of them.
   const std::size_t half = MostLookedAt / 2;
   return Shortened(
-    Printable(text.substr(0, half)) + Printable(text.substr(text.size() - half)), MostInLine);
+    Printable(text.substr(0, half)) + Printable(text.substr(text.size() - half)), MaxInLine);
 }
 }

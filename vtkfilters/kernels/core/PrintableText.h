@@ -34,7 +34,7 @@ std::string Shortened(const std::string& text, std::size_t most);
 std::string PrintableLine(std::string_view text);
 
 /** The most bytes of a line for people. */
-constexpr std::size_t MostInLine = 300;
+constexpr std::size_t MaxInLine = 300;
 }
 
 #endif

@@ -45,7 +45,8 @@ MedialBalls CollectBalls(const Poles& poles, const std::vector<Side>& labels)
 void MakeDelaunayCrust(const DelaunayComplex& complex, const PowerCrustOptions& options,
   std::vector<Side>& labels, const Execution& execution, PowerCrustResult& result)
 {
-  result.RemovedPieces = RemoveSmallPieces(complex, options.MinimumPieceSamples, labels);
+  result.RemovedComponents =
+    RemoveSmallComponents(complex, options.MinimumComponentSamples, labels);
   MakeManifold(complex, labels, execution);
   execution.Report(0.9);
   if (options.RecoverSamples)
@@ -53,7 +54,8 @@ void MakeDelaunayCrust(const DelaunayComplex& complex, const PowerCrustOptions& 
     RecoverSamples(complex, labels);
   }
   // The repair can cut off crumbs of its own.
-  result.RemovedPieces += RemoveSmallPieces(complex, options.MinimumPieceSamples, labels);
+  result.RemovedComponents +=
+    RemoveSmallComponents(complex, options.MinimumComponentSamples, labels);
   CrustSurface surface = ExtractDelaunayCrust(complex, labels, execution);
   result.Mesh = std::move(surface.Mesh);
   result.PointSources = std::move(surface.PointSources);
@@ -71,10 +73,10 @@ void MakeDelaunayCrust(const DelaunayComplex& complex, const PowerCrustOptions& 
 
 void PowerCrustOptions::Check() const
 {
-  if (this->MinimumPieceSamples < 0)
+  if (this->MinimumComponentSamples < 0)
   {
-    throw Error(Where, "MinimumPieceSamples is out of range",
-      std::to_string(this->MinimumPieceSamples), "0 or more");
+    throw Error(Where, "MinimumComponentSamples is out of range",
+      std::to_string(this->MinimumComponentSamples), "0 or more");
   }
 }
 

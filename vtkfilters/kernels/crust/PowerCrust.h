@@ -25,7 +25,7 @@ struct PowerCrustOptions
    * Pieces and cavities with fewer samples than this are noise and dropped; the largest piece
    * stays. Default 20, at least 0 (keep everything). DelaunayCrust only.
    */
-  int MinimumPieceSamples = 20;
+  int MinimumComponentSamples = 20;
 
   /** Whether samples just under or over the surface are brought onto it. DelaunayCrust only. */
   bool RecoverSamples = true;
@@ -54,11 +54,11 @@ struct PowerCrustResult
 
   MedialBalls Balls;
 
-  int DuplicatePoints = 0; ///< input points equal to an earlier one; not used
-  int UnusedPoints = 0;    ///< input points that are not on the surface, duplicates included
-  int RemovedPieces = 0;   ///< pieces and cavities dropped as noise
-  int SplitPoints = 0;     ///< points doubled to make the surface manifold
-  int MidPoints = 0;       ///< points added for that
+  int DuplicatePoints = 0;   ///< input points equal to an earlier one; not used
+  int UnusedPoints = 0;      ///< input points that are not on the surface, duplicates included
+  int RemovedComponents = 0; ///< pieces and cavities dropped as noise
+  int SplitPoints = 0;       ///< points doubled to make the surface manifold
+  int MidPoints = 0;         ///< points added for that
 };
 
 /**

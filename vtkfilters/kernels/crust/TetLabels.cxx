@@ -82,7 +82,7 @@ public:
     : Complex(complex)
     , PolesOfSample(polesOfSample)
     , Edges(CollectEdges(complex, execution))
-    , ToldBy(complex.Points.size(), -1)
+    , LastSource(complex.Points.size(), -1)
     , Queue(Levels)
   {
     std::vector<int> poleOfTet(complex.Tets.size(), -1);
@@ -152,7 +152,7 @@ public:
     {
       if (++steps % 1024 == 0)
       {
-        execution.Tick();
+        execution.CheckCancelled();
       }
       std::vector<int>& level = this->Queue[this->Highest];
       if (level.empty())
@@ -176,8 +176,8 @@ public:
       const bool inside =
         pole.Support[0] > pole.Support[1] && !this->Complex.TouchesCorner(pole.Tet);
       this->Labels[id] = inside ? Side::Inside : Side::Outside;
-      this->TellOppositePoles(id);
-      this->TellNeighbors(id);
+      this->PropagateToOppositePoles(id);
+      this->PropagateToNeighbors(id);
     }
     return this->LabelsOfTets();
   }
@@ -232,7 +232,7 @@ private:
     }
   }
 
-  void TellOppositePoles(int id)
+  void PropagateToOppositePoles(int id)
   {
     const Pole& pole = this->Poles[id];
     for (int sample : this->Complex.Tets[pole.Tet])
@@ -254,7 +254,7 @@ private:
   }
 
   /** Tells the poles of all samples that share a Delaunay edge with one of this pole's. */
-  void TellNeighbors(int id)
+  void PropagateToNeighbors(int id)
   {
     for (int sample : this->Complex.Tets[this->Poles[id].Tet])
     {
@@ -266,16 +266,16 @@ private:
       for (int i = this->Edges.Start[sample]; i < this->Edges.Start[sample + 1]; ++i)
       {
         const int other = this->Edges.Points[i];
-        if (other < this->Complex.NumberOfSamples && this->ToldBy[other] != id)
+        if (other < this->Complex.NumberOfSamples && this->LastSource[other] != id)
         {
-          this->ToldBy[other] = id;
-          this->TellPoles(id, this->PolesOfSample[other]);
+          this->LastSource[other] = id;
+          this->PropagateToPoles(id, this->PolesOfSample[other]);
         }
       }
     }
   }
 
-  void TellPoles(int id, const std::array<int, 2>& poles)
+  void PropagateToPoles(int id, const std::array<int, 2>& poles)
   {
     const Pole& teller = this->Poles[id];
     for (int other : poles)
@@ -308,21 +308,21 @@ private:
   const EdgeLists Edges;
   std::vector<Pole> Poles;             ///< in the order of their tetrahedra
   std::vector<Side> Labels;            ///< of the poles; apart, since most are asked for only that
-  std::vector<int> ToldBy;             ///< per sample the pole that told its poles last
+  std::vector<int> LastSource;         ///< per sample the pole that told its poles last
   std::vector<std::vector<int>> Queue; ///< per level the poles, the last one first
   int Highest = -1;                    ///< no level above has a pole
 };
 
 //------------------------------------------------------------------------------
 /** A facet over which a label can spread. */
-struct Flow
+struct WeightedEdge
 {
   double Agreement = -2; ///< below any
   int From = -1;         ///< the tetrahedron that may take the label; -1 = none
   int To = -1;
 
   /** A strict order of the facets, the same from both sides. */
-  bool StrongerThan(const Flow& other) const
+  bool StrongerThan(const WeightedEdge& other) const
   {
     return this->Agreement != other.Agreement
       ? this->Agreement > other.Agreement
@@ -331,15 +331,15 @@ struct Flow
 };
 
 /** The strongest facet by which a tetrahedron joins another region. */
-Flow StrongestFlow(const DelaunayComplex& complex, const std::vector<int>& regions, int tet)
+WeightedEdge StrongestEdge(const DelaunayComplex& complex, const std::vector<int>& regions, int tet)
 {
-  Flow strongest;
+  WeightedEdge strongest;
   for (int other : complex.Neighbors[tet])
   {
     if (other >= 0 && regions[other] != regions[tet])
     {
-      const Flow flow{ Agreement(complex, tet, other), tet, other };
-      strongest = flow.StrongerThan(strongest) ? flow : strongest;
+      const WeightedEdge edge{ Agreement(complex, tet, other), tet, other };
+      strongest = edge.StrongerThan(strongest) ? edge : strongest;
     }
   }
   return strongest;
@@ -365,25 +365,25 @@ void SpreadLabels(
       open.push_back(tet);
     }
   }
-  std::vector<Flow> flows;
-  std::vector<Flow> flowOfRegion(labels.size());
+  std::vector<WeightedEdge> edges;
+  std::vector<WeightedEdge> edgeOfRegion(labels.size());
   while (!open.empty())
   {
-    flows.resize(open.size());
+    edges.resize(open.size());
     execution.ForEach(static_cast<std::int64_t>(open.size()),
-      [&](std::int64_t i) { flows[i] = StrongestFlow(complex, regions, open[i]); });
+      [&](std::int64_t i) { edges[i] = StrongestEdge(complex, regions, open[i]); });
     for (std::size_t i = 0; i < open.size(); ++i)
     {
-      Flow& strongest = flowOfRegion[regions[open[i]]];
-      strongest = flows[i].StrongerThan(strongest) ? flows[i] : strongest;
+      WeightedEdge& strongest = edgeOfRegion[regions[open[i]]];
+      strongest = edges[i].StrongerThan(strongest) ? edges[i] : strongest;
     }
     for (int tet : open)
     {
-      const Flow flow = std::exchange(flowOfRegion[regions[tet]], Flow());
-      if (flow.From >= 0)
+      const WeightedEdge edge = std::exchange(edgeOfRegion[regions[tet]], WeightedEdge());
+      if (edge.From >= 0)
       {
-        const int from = sets.Find(flow.From);
-        const int to = sets.Find(flow.To);
+        const int from = sets.Find(edge.From);
+        const int to = sets.Find(edge.To);
         const Side label = labels[from] != Side::Unknown ? labels[from] : labels[to];
         sets.Unite(from, to);
         labels[sets.Find(from)] = label;
@@ -564,7 +564,7 @@ bool IsRegular(const std::vector<Star::Piece>& pieces)
 
 //------------------------------------------------------------------------------
 /** True when all tetrahedra of the sample are on one side. */
-bool IsBuried(const DelaunayComplex& complex, const std::vector<Side>& labels, int sample)
+bool IsInterior(const DelaunayComplex& complex, const std::vector<Side>& labels, int sample)
 {
   const int begin = complex.IncidenceStart[sample];
   const int end = complex.IncidenceStart[sample + 1];
@@ -631,7 +631,7 @@ int BestPyramid(const DelaunayComplex& complex, const std::vector<Side>& labels,
 }
 
 /** Pieces of equal label connected through facets: per tetrahedron the piece's lowest one. */
-std::vector<int> FindPieces(const DelaunayComplex& complex, const std::vector<Side>& labels)
+std::vector<int> FindComponents(const DelaunayComplex& complex, const std::vector<Side>& labels)
 {
   DisjointSets sets(complex.NumberOfTets());
   for (int tet = 0; tet < complex.NumberOfTets(); ++tet)
@@ -691,9 +691,10 @@ std::vector<Side> LabelTets(const DelaunayComplex& complex,
 }
 
 //------------------------------------------------------------------------------
-int RemoveSmallPieces(const DelaunayComplex& complex, int minimumSamples, std::vector<Side>& labels)
+int RemoveSmallComponents(
+  const DelaunayComplex& complex, int minimumSamples, std::vector<Side>& labels)
 {
-  const std::vector<int> roots = FindPieces(complex, labels);
+  const std::vector<int> roots = FindComponents(complex, labels);
   const std::vector<int> counts = CountPiecePoints(complex, roots);
   int largest = -1; // of the inside; the outside's is the one with the far corners
   for (int tet = 0; tet < complex.NumberOfTets(); ++tet)
@@ -734,7 +735,7 @@ int MakeManifold(
     [&](Star& around, std::int64_t sample)
     {
       const int s = static_cast<int>(sample);
-      irregular[s] = !IsBuried(complex, labels, s) && !IsRegular(around.Group(s, labels));
+      irregular[s] = !IsInterior(complex, labels, s) && !IsRegular(around.Group(s, labels));
     });
   std::deque<int> queue;
   for (int s = 0; s < complex.NumberOfSamples; ++s)
@@ -748,7 +749,7 @@ int MakeManifold(
   Star star(complex);
   while (!queue.empty())
   {
-    execution.Tick();
+    execution.CheckCancelled();
     const int sample = queue.front();
     queue.pop_front();
     queued[sample] = 0;
@@ -780,7 +781,7 @@ int RecoverSamples(const DelaunayComplex& complex, std::vector<Side>& labels)
   std::deque<int> queue;
   for (int s = 0; s < complex.NumberOfSamples; ++s)
   {
-    if (IsBuried(complex, labels, s))
+    if (IsInterior(complex, labels, s))
     {
       queue.push_back(s);
     }

@@ -37,7 +37,7 @@ std::vector<Side> LabelTets(const DelaunayComplex& complex,
  * Turns over pieces of the inside and of the outside (connected through facets) with less than
  * `minimumSamples` vertices, except the largest of each. Returns how many.
  */
-int RemoveSmallPieces(
+int RemoveSmallComponents(
   const DelaunayComplex& complex, int minimumSamples, std::vector<Side>& labels);
 
 /**

@@ -182,7 +182,7 @@ private:
     const Camera& camera = this->Views[viewId].Cam;
     const Vector3d& point = this->Mesh.Points[ptId];
     const double z = camera.Depth(point);
-    return DepthBehind(depth, camera.Project(point), z) < 1.5 * camera.PixelFootprint(z);
+    return OcclusionDepth(depth, camera.Project(point), z) < 1.5 * camera.PixelFootprint(z);
   }
 
   /** Whether all that the point's energies depend on is as it was when they were last measured. */

@@ -60,11 +60,11 @@ public:
     const std::vector<int> order = ViewsByAngle(views, novel.OpticalAxis());
     this->Key = order.front();
     this->Secondaries = NearestNeighbours(views, options.Secondaries)[this->Key];
-    const double leastCosine = std::cos(options.NearAngleDeg * EIGEN_PI / 180);
+    const double minCosine = std::cos(options.NearAngleDeg * EIGEN_PI / 180);
     for (const int viewId : order)
     {
       if (static_cast<int>(this->NearViews.size()) < options.NearViews &&
-        views[viewId].Cam.OpticalAxis().dot(novel.OpticalAxis()) >= leastCosine)
+        views[viewId].Cam.OpticalAxis().dot(novel.OpticalAxis()) >= minCosine)
       {
         this->NearViews.push_back(viewId);
       }

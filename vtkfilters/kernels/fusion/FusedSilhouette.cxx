@@ -2,7 +2,7 @@
 #include "fusion/FusedSilhouette.h"
 
 #include "core/ToInt.h"
-#include "fusion/NovelWalker.h"
+#include "fusion/RayMarcher.h"
 #include "geometry/Rasteriser.h"
 #include "geometry/Visibility.h"
 #include "silhouettes/ContourDistance.h"
@@ -43,7 +43,7 @@ void ForEachPixel(const Image<float>& image, const Execution& execution, const B
 class DistanceTracer
 {
 public:
-  DistanceTracer(const TriangleMesh& mesh, const std::vector<View>& views, const FusedField& field,
+  DistanceTracer(const TriangleMesh& mesh, const std::vector<View>& views, const TsdfField& field,
     const Camera& novel, double footprint, const FusedSilhouetteOptions& options,
     const Execution& execution)
     : Views(views)
@@ -52,7 +52,7 @@ public:
     , Options(options)
     , Run(execution)
     , Front(Rasterise(mesh, novel, execution).Depth)
-    , Walker(field, novel, BoundingDiagonal(mesh.Points), options.StepPx * footprint)
+    , Marcher(field, novel, BoundingDiagonal(mesh.Points), options.StepPx * footprint)
     , Inside(novel.Width, novel.Height)
     , Distance(novel.Width, novel.Height, 1, static_cast<float>(Band))
     , Depth(novel.Width, novel.Height)
@@ -91,10 +91,11 @@ public:
         const double front = this->NearestFront(x, y);
         if (std::isfinite(front) && this->NearContour(x, y))
         {
-          const auto passage = this->Walker.Pass(Vector2d(x, y), front - Margin * this->Footprint);
+          const auto approach =
+            this->Marcher.FindClosestApproach(Vector2d(x, y), front - Margin * this->Footprint);
           this->Distance(x, y) = static_cast<float>(
-            passage.Clearance * this->Footprint / this->Novel.PixelFootprint(passage.At));
-          this->Depth(x, y) = static_cast<float>(passage.At);
+            approach.SignedDistance * this->Footprint / this->Novel.PixelFootprint(approach.At));
+          this->Depth(x, y) = static_cast<float>(approach.At);
         }
       });
   }
@@ -122,7 +123,7 @@ private:
   {
     const double front = this->Front(x, y);
     return std::isfinite(front) &&
-      this->Walker.Walk(Vector2d(x, y), front - Margin * this->Footprint).Least < 0;
+      this->Marcher.FindFirstCrossing(Vector2d(x, y), front - Margin * this->Footprint).Min < 0;
   }
 
   /** Whether all four neighbours are inside, or all outside; nothing when some are. */
@@ -211,7 +212,7 @@ private:
   const FusedSilhouetteOptions& Options;
   const Execution& Run;
   const Image<float> Front;
-  const NovelWalker Walker;
+  const RayMarcher Marcher;
   Image<std::uint8_t> Inside;
   Image<float> Distance;
   Image<float> Depth; ///< where a ray of the band comes nearest; 0 elsewhere
@@ -261,7 +262,7 @@ Image<float> Smoothed(const Image<float>& image, double sigma, const Execution& 
 }
 
 /** Turns connected regions (4 neighbours) on one side of 127.5 that are too small to the other. */
-void RemoveSmallRegions(Image<std::uint8_t>& image, bool object, double leastArea)
+void RemoveSmallRegions(Image<std::uint8_t>& image, bool object, double minArea)
 {
   std::vector<std::uint8_t> seen(image.Values.size(), 0);
   std::vector<int> region;
@@ -288,7 +289,7 @@ void RemoveSmallRegions(Image<std::uint8_t>& image, bool object, double leastAre
         }
       }
     }
-    if (static_cast<double>(region.size()) < leastArea)
+    if (static_cast<double>(region.size()) < minArea)
     {
       for (const int pixel : region)
       {
@@ -300,7 +301,7 @@ void RemoveSmallRegions(Image<std::uint8_t>& image, bool object, double leastAre
 }
 
 Image<float> FusedSilhouette(const TriangleMesh& mesh, const std::vector<View>& views,
-  const FusedField& field, const Camera& novel, double footprint,
+  const TsdfField& field, const Camera& novel, double footprint,
   const FusedSilhouetteOptions& options, const Execution& execution)
 {
   DistanceTracer tracer(mesh, views, field, novel, footprint, options, execution);

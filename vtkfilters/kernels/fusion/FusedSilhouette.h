@@ -4,7 +4,7 @@
 
 #include "core/Execution.h"
 #include "core/ImageRef.h"
-#include "fusion/FusedField.h"
+#include "fusion/TsdfField.h"
 #include "geometry/TriangleMesh.h"
 #include "geometry/View.h"
 #include "silhouettes/ContourPrediction.h"
@@ -30,9 +30,9 @@ struct FusedSilhouetteOptions
  * distance to its contour in novel pixels, positive inside.
  *
  *  1. A pixel of the mesh's silhouette is object when the field along its ray says so
- *     (FusedField::Walk).
+ *     (TsdfField::FindFirstCrossing).
  *  2. Near the contour so found, every pixel takes the signed distance at which its ray passes the
- *     surface (FusedField::Pass): the contour is where that is zero, to a fraction of a pixel.
+ *     surface (TsdfField::FindClosestApproach): the contour is where that is zero, to a fraction of a pixel.
  *  3. That distance is drawn to the one from the contour predicted from the photographs' contours
  *     (PredictContour), where both agree: depth maps say where the surface is, but only to a
  *     fraction of a pixel that shows at the rim; the prediction is finer where the surface is
@@ -43,7 +43,7 @@ struct FusedSilhouetteOptions
  * Views need ContourDistance, DepthMap and Confidence.
  */
 Image<float> FusedSilhouette(const TriangleMesh& mesh, const std::vector<View>& views,
-  const FusedField& field, const Camera& novel, double footprint,
+  const TsdfField& field, const Camera& novel, double footprint,
   const FusedSilhouetteOptions& options = {}, const Execution& execution = {});
 }
 

@@ -151,7 +151,7 @@ void Unfold(
 }
 
 /** Moves every point along its normal onto the field's surface, from so far outside to inside. */
-void MoveOntoSurface(TriangleMesh& mesh, const MeshNeighbours& neighbours, const FusedField& field,
+void MoveOntoSurface(TriangleMesh& mesh, const MeshNeighbours& neighbours, const TsdfField& field,
   const ModelRefinementOptions& options, double footprint, const Vector2d& range,
   const Execution& execution)
 {
@@ -165,8 +165,9 @@ void MoveOntoSurface(TriangleMesh& mesh, const MeshNeighbours& neighbours, const
       if (normals[ptId].squaredNorm() > 0)
       {
         // From a little outside, so that a point that went too far comes back.
-        const FusedField::RayResult hit = field.Walk(mesh.Points[ptId] + outside * normals[ptId],
-          -normals[ptId], 0, outside + range[1] * footprint, options.StepPx * footprint);
+        const TsdfField::RayResult hit =
+          field.FindFirstCrossing(mesh.Points[ptId] + outside * normals[ptId], -normals[ptId], 0,
+            outside + range[1] * footprint, options.StepPx * footprint);
         ways[ptId] = hit.Surface ? *hit.Surface - outside : Unknown;
       }
     });
@@ -193,7 +194,7 @@ TriangleMesh RefineModel(const TriangleMesh& mesh, const std::vector<View>& view
   {
     throw Error("model", "the mesh is empty or lies behind every reference camera");
   }
-  const FusedField field(views, options.Fusion, footprint);
+  const TsdfField field(views, options.Fusion, footprint);
   const MeshNeighbours neighbours(mesh);
   TriangleMesh model = mesh;
   MoveOntoSurface(model, neighbours, field, options, footprint,

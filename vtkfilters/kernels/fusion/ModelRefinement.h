@@ -3,7 +3,7 @@
 #define novelview_ModelRefinement_h
 
 #include "core/Execution.h"
-#include "fusion/FusedField.h"
+#include "fusion/TsdfField.h"
 #include "geometry/TriangleMesh.h"
 #include "geometry/View.h"
 
@@ -25,7 +25,7 @@ struct ModelRefinementOptions
 
 /**
  * The whole surface, for no camera in particular: every point of the hull's mesh moves along its
- * normal to the first zero crossing of FusedField, balanced with its neighbours, and
+ * normal to the first zero crossing of TsdfField, balanced with its neighbours, and
  * then a little further along its new ones. Where triangles have turned over, points move to the
  * middle of their neighbours. Where no photograph sees anything, the hull stays. Connectivity stays:
  * a closed mesh stays closed.

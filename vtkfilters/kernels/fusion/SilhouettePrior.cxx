@@ -19,7 +19,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 /** The priors that sampled pixels of one photograph need to count as object. */
-std::vector<double> PriorsOf(const View& key, const FusedField& field, const TriangleMesh& hull,
+std::vector<double> PriorsOf(const View& key, const TsdfField& field, const TriangleMesh& hull,
   double footprint, const SilhouettePriorOptions& options)
 {
   const Image<float> front = RasteriseDepth(hull, key.Cam);
@@ -42,7 +42,7 @@ std::vector<double> PriorsOf(const View& key, const FusedField& field, const Tri
         const Vector3d direction = key.Cam.Unproject(Vector2d(x, y), 1) - centre;
         const double from = front(x, y) - 1.5 * footprint;
         priors.push_back(
-          field.PriorNeeded(centre, direction, from, from + reach, 2 * footprint, options.Least));
+          field.PriorNeeded(centre, direction, from, from + reach, 2 * footprint, options.Min));
       }
     }
   }
@@ -56,7 +56,7 @@ double FindSilhouettePrior(const std::vector<View>& views, const TriangleMesh& h
   const double footprint = MedianFootprint(views, hull.Points);
   if (footprint <= 0)
   {
-    return options.Least;
+    return options.Min;
   }
   const int keys = std::min(options.Keys, static_cast<int>(views.size()));
   std::vector<std::vector<double>> perKey(keys);
@@ -66,7 +66,7 @@ double FindSilhouettePrior(const std::vector<View>& views, const TriangleMesh& h
       const std::size_t key = i * views.size() / keys;
       std::vector<View> others = views;
       others.erase(others.begin() + static_cast<std::ptrdiff_t>(key));
-      const FusedField field(others, options.Fusion, footprint);
+      const TsdfField field(others, options.Fusion, footprint);
       perKey[i] = PriorsOf(views[key], field, hull, footprint, options);
     });
   std::vector<double> all;
@@ -76,9 +76,8 @@ double FindSilhouettePrior(const std::vector<View>& views, const TriangleMesh& h
   }
   if (all.empty())
   {
-    return options.Least;
+    return options.Min;
   }
-  return std::clamp(
-    Quantile(std::move(all), 1 - options.AcceptedLoss), options.Least, options.Most);
+  return std::clamp(Quantile(std::move(all), 1 - options.AcceptedLoss), options.Min, options.Max);
 }
 }

@@ -3,7 +3,7 @@
 #define novelview_SilhouettePrior_h
 
 #include "core/Execution.h"
-#include "fusion/FusedField.h"
+#include "fusion/TsdfField.h"
 #include "geometry/TriangleMesh.h"
 
 #include <vector>
@@ -14,8 +14,8 @@ struct SilhouettePriorOptions
 {
   FusionOptions Fusion{ 3, 0.05, 0.12 };
   double AcceptedLoss = 0.01; ///< part of a silhouette that may be declared empty
-  double Least = 0.12;
-  double Most = 2;
+  double Min = 0.12;
+  double Max = 2;
   int Keys = 6;            ///< photographs looked at, evenly spread
   int PixelsPerKey = 1500; ///< about so many pixels of each
 };
@@ -24,7 +24,7 @@ struct SilhouettePriorOptions
  * The prior w0m of "this ray meets object" (FusionOptions::SilhouettePrior), found from the data
  * without any truth: a photograph's own depth map is left out, its silhouette is made from those of
  * the others, and the pixels of its mask that are then declared empty are counted. The result is
- * the least prior with which no more than AcceptedLoss of them are, between Least and Most.
+ * the least prior with which no more than AcceptedLoss of them are, between Min and Max.
  *
  * Clean masks and cameras need next to none; masks that disagree need more.
  *

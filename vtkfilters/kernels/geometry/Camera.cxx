@@ -21,17 +21,17 @@ std::string RowText(const Eigen::Matrix3d& m)
 }
 
 /** Parts of a picture's larger side that calibrations stay between. */
-constexpr double LeastFocal = 1e-3;
-constexpr double MostFocal = 1e4;        // almost parallel rays
-constexpr double MostOffset = 1e3;       // of the principal point: a small part of a large picture
-constexpr double MostSize = 1 << 20;     ///< pixels
-constexpr double MostTranslation = 1e12; ///< world units
+constexpr double MinFocal = 1e-3;
+constexpr double MaxFocal = 1e4;        // almost parallel rays
+constexpr double MaxOffset = 1e3;       // of the principal point: a small part of a large picture
+constexpr double MaxSize = 1 << 20;     ///< pixels
+constexpr double MaxTranslation = 1e12; ///< world units
 
 /** The larger side of a picture, pixels, from what it is at least to what it is at most. */
 struct SizeRange
 {
-  double Least;
-  double Most;
+  double Min;
+  double Max;
 };
 
 void CheckRange(const char* what, double value, double least, double most, const std::string& where)
@@ -50,12 +50,12 @@ void CheckRange(const char* what, double value, double least, double most, const
 void CheckRanges(const Camera& camera, const SizeRange& size, const std::string& where)
 {
   const Eigen::Matrix3d& K = camera.K;
-  CheckRange("focal length fx", K(0, 0), LeastFocal * size.Least, MostFocal * size.Most, where);
-  CheckRange("focal length fy", K(1, 1), LeastFocal * size.Least, MostFocal * size.Most, where);
-  CheckRange("skew", K(0, 1), -MostFocal * size.Most, MostFocal * size.Most, where);
-  CheckRange("principal point cx", K(0, 2), -MostOffset * size.Most, MostOffset * size.Most, where);
-  CheckRange("principal point cy", K(1, 2), -MostOffset * size.Most, MostOffset * size.Most, where);
-  CheckRange("translation", camera.T.cwiseAbs().maxCoeff(), 0, MostTranslation, where);
+  CheckRange("focal length fx", K(0, 0), MinFocal * size.Min, MaxFocal * size.Max, where);
+  CheckRange("focal length fy", K(1, 1), MinFocal * size.Min, MaxFocal * size.Max, where);
+  CheckRange("skew", K(0, 1), -MaxFocal * size.Max, MaxFocal * size.Max, where);
+  CheckRange("principal point cx", K(0, 2), -MaxOffset * size.Max, MaxOffset * size.Max, where);
+  CheckRange("principal point cy", K(1, 2), -MaxOffset * size.Max, MaxOffset * size.Max, where);
+  CheckRange("translation", camera.T.cwiseAbs().maxCoeff(), 0, MaxTranslation, where);
 }
 
 /** Whether all numbers are some, and K is one of a pinhole. */
@@ -142,7 +142,7 @@ Eigen::Vector3d Camera::RayDirection(const Eigen::Vector2d& pixel) const
 
 void ValidateCalibration(const Camera& camera, const std::string& where)
 {
-  Validate(camera, { 1, MostSize }, where);
+  Validate(camera, { 1, MaxSize }, where);
 }
 
 void ValidateCamera(const Camera& camera, const std::string& where)

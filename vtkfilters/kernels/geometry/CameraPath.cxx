@@ -16,8 +16,8 @@ namespace
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double MostOff = 0.1;       ///< of a camera from the circle, radii
-constexpr double MostTiltDeg = 30;    ///< of a camera from the mean direction
+constexpr double MaxOff = 0.1;        ///< of a camera from the circle, radii
+constexpr double MaxTiltDeg = 30;     ///< of a camera from the mean direction
 constexpr double LargestGapDeg = 121; ///< between neighbours: three evenly spread are just enough
 
 [[noreturn]] void RefuseRing(
@@ -102,7 +102,7 @@ void FitCentres(const std::vector<Camera>& cameras, CameraRing& ring)
     const Vector3d from = camera.Centre() - ring.Centre;
     const double height = from.dot(ring.Axis);
     const double across = (from - height * ring.Axis).norm() - ring.Radius;
-    if (const double off = std::hypot(height, across) / ring.Radius; !(off <= MostOff))
+    if (const double off = std::hypot(height, across) / ring.Radius; !(off <= MaxOff))
     {
       RefuseRing("one is far off the others' circle", off, " radii", "at most 0.1 radii");
     }
@@ -180,7 +180,7 @@ CameraRing FitCameraRing(const std::vector<Camera>& cameras)
   for (const Matrix3d& each : standing)
   {
     if (const double tiltDeg = AngleBetween(each, ring.InRing) * 180 / EIGEN_PI;
-        tiltDeg > MostTiltDeg)
+        tiltDeg > MaxTiltDeg)
     {
       RefuseRing("one looks elsewhere than the others", tiltDeg, " deg", "at most 30 deg");
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/Rasteriser.h"
 
-#include "core/CpuClones.h"
+#include "core/FunctionMultiversioning.h"
 #include "core/ToInt.h"
 
 #include <algorithm>
@@ -133,9 +133,9 @@ public:
     }
   }
 
-  /** Draws the sub-rays of a pixel. */
+  /** Draws the subsamples of a pixel. */
   [[gnu::always_inline]] inline void Draw(
-    int x, int y, const SubRayGrid& grid, const Pictures& to, std::ptrdiff_t at) const
+    int x, int y, const SubsampleGrid& grid, const Pictures& to, std::ptrdiff_t at) const
   {
     for (int j = 0; j < grid.PerSide; ++j)
     {
@@ -225,10 +225,10 @@ std::vector<ProjectedPoint> ProjectPoints(
 }
 
 /** The triangles of a mesh, projected and sorted into bands of rows that are drawn in parallel. */
-class TriangleBands
+class RowTiles
 {
 public:
-  TriangleBands(const TriangleMesh& mesh, const Camera& camera, const Execution& execution)
+  RowTiles(const TriangleMesh& mesh, const Camera& camera, const Execution& execution)
     : Width(camera.Width)
     , Height(camera.Height)
     , Mesh(mesh)
@@ -289,7 +289,7 @@ public:
   static int RowBegin(std::int64_t band) { return static_cast<int>(band) * BandRows; }
   int RowEnd(std::int64_t band) const
   {
-    return std::min(TriangleBands::RowBegin(band) + BandRows, this->Height);
+    return std::min(RowTiles::RowBegin(band) + BandRows, this->Height);
   }
 
   const int Width;
@@ -332,7 +332,7 @@ private:
 
 namespace
 {
-NOVELVIEW_CLONES void DrawBand(const TriangleBands& bands, std::int64_t band, const Pictures& to)
+NOVELVIEW_CLONES void DrawBand(const RowTiles& bands, std::int64_t band, const Pictures& to)
 {
   bands.ForBand(
     band, [&](int cellId, const PixelBox& around) __attribute__((always_inline)) {
@@ -381,14 +381,15 @@ void DrawDepths(
 }
 }
 
-MeshInFrame::MeshInFrame(const TriangleMesh& mesh, const Camera& camera, const Execution& execution)
-  : Bands(std::make_unique<const TriangleBands>(mesh, camera, execution))
+ProjectedMesh::ProjectedMesh(
+  const TriangleMesh& mesh, const Camera& camera, const Execution& execution)
+  : Bands(std::make_unique<const RowTiles>(mesh, camera, execution))
 {
 }
 
-MeshInFrame::~MeshInFrame() = default;
+ProjectedMesh::~ProjectedMesh() = default;
 
-ItemBuffer MeshInFrame::Rasterise() const
+ItemBuffer ProjectedMesh::Rasterise() const
 {
   const int width = this->Bands->Width;
   const int height = this->Bands->Height;
@@ -402,7 +403,7 @@ ItemBuffer MeshInFrame::Rasterise() const
     {
       std::fill(drawn.CellId.Values.begin(), drawn.CellId.Values.end(), -1);
       std::fill(drawn.Depth.Values.begin(), drawn.Depth.Values.end(), NoDepth);
-      const int begin = TriangleBands::RowBegin(band);
+      const int begin = RowTiles::RowBegin(band);
       DrawBand(*this->Bands, band,
         { drawn.Depth.Width, begin, drawn.Depth.Values.data(), nullptr,
           drawn.CellId.Values.data() });
@@ -417,7 +418,7 @@ ItemBuffer MeshInFrame::Rasterise() const
 
 ItemBuffer Rasterise(const TriangleMesh& mesh, const Camera& camera, const Execution& execution)
 {
-  return MeshInFrame(mesh, camera, execution).Rasterise();
+  return ProjectedMesh(mesh, camera, execution).Rasterise();
 }
 
 Image<float> RasteriseDepth(const TriangleMesh& mesh, const Camera& camera)
@@ -451,7 +452,7 @@ namespace
 }
 
 NOVELVIEW_CLONES void DrawBandSubRays(
-  const TriangleBands& bands, std::int64_t band, const Image<std::uint8_t>& chosen, SubRays& rays)
+  const RowTiles& bands, std::int64_t band, const Image<std::uint8_t>& chosen, Subsamples& rays)
 {
   const Pictures to{ 0, 0, rays.Depth.data(), nullptr, rays.CellId.data() };
   bands.ForBand(
@@ -475,15 +476,15 @@ NOVELVIEW_CLONES void DrawBandSubRays(
 }
 }
 
-SubRays MeshInFrame::RasteriseSubRays(const Image<std::uint8_t>& chosen, int perSide) const
+Subsamples ProjectedMesh::RasteriseSubsamples(const Image<std::uint8_t>& chosen, int perSide) const
 {
-  SubRays rays(chosen, perSide);
+  Subsamples rays(chosen, perSide);
   this->Bands->ForEach(
     [&](std::int64_t band) { DrawBandSubRays(*this->Bands, band, chosen, rays); });
   return rays;
 }
 
-SubRayGrid::SubRayGrid(int perSide)
+SubsampleGrid::SubsampleGrid(int perSide)
   : PerSide(perSide)
   , Stride((perSide + 3) / 4 * 4)
   , Offset(this->Stride, std::numeric_limits<double>::quiet_NaN())
@@ -494,7 +495,7 @@ SubRayGrid::SubRayGrid(int perSide)
   }
 }
 
-SubRays::SubRays(const Image<std::uint8_t>& chosen, int perSide)
+Subsamples::Subsamples(const Image<std::uint8_t>& chosen, int perSide)
   : Grid(perSide)
   , Index(chosen.Width, chosen.Height, 1, -1)
 {
@@ -548,7 +549,7 @@ float DeepestAround(const ImageRef<const float>& depth, int x, int y)
 }
 }
 
-double DepthBehind(const ImageRef<const float>& depth, const Eigen::Vector2d& pixel, double z)
+double OcclusionDepth(const ImageRef<const float>& depth, const Eigen::Vector2d& pixel, double z)
 {
   if (!(pixel.x() > -2 && pixel.y() > -2 && pixel.x() < depth.Width + 1 &&
         pixel.y() < depth.Height + 1))

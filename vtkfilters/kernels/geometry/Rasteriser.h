@@ -13,7 +13,7 @@
 
 namespace novelview
 {
-class TriangleBands;
+class RowTiles;
 
 /** What a camera sees of a mesh, per pixel: the paper's mesh lookup table. */
 struct ItemBuffer
@@ -54,33 +54,33 @@ DepthRange RasteriseRange(const TriangleMesh& mesh, const Camera& camera);
  * around, since at a slanted surface neighbours differ by more than any sensible tolerance.
  * Minus infinity where the depth image is empty (0 or infinity) or the pixel is outside it.
  */
-double DepthBehind(const ImageRef<const float>& depth, const Eigen::Vector2d& pixel, double z);
+double OcclusionDepth(const ImageRef<const float>& depth, const Eigen::Vector2d& pixel, double z);
 
 /** An evenly spaced grid of rays through a pixel, PerSide x PerSide. */
-struct SubRayGrid
+struct SubsampleGrid
 {
   int PerSide;
   int Stride; ///< PerSide up to a multiple of four; the rays beyond hit nothing
   /** Where ray i of a row, or row i, lies from the pixel's centre, pixels; Stride of them. */
   std::vector<double> Offset;
 
-  explicit SubRayGrid(int perSide);
+  explicit SubsampleGrid(int perSide);
 };
 
 /** What a grid of rays through each of some pixels hits. */
-struct SubRays
+struct Subsamples
 {
-  SubRayGrid Grid;
-  int Pixels = 0;   ///< how many have sub-rays
+  SubsampleGrid Grid;
+  int Pixels = 0;   ///< how many have subsamples
   Image<int> Index; ///< which of them a pixel is, -1 = none
   /** From First() on, PerSide rows of Stride: front triangle (-1 = background) and its depth. */
   std::vector<int> CellId;
   std::vector<float> Depth;
 
-  /** Sub-rays through the pixels that are not 0 in `chosen`; they hit nothing yet. */
-  SubRays(const Image<std::uint8_t>& chosen, int perSide);
+  /** Subsamples through the pixels that are not 0 in `chosen`; they hit nothing yet. */
+  Subsamples(const Image<std::uint8_t>& chosen, int perSide);
 
-  /** The first sub-ray of a pixel that has some. */
+  /** The first subsample of a pixel that has some. */
   std::size_t First(int x, int y) const
   {
     return static_cast<std::size_t>(this->Index(x, y)) * this->Grid.PerSide * this->Grid.Stride;
@@ -88,21 +88,21 @@ struct SubRays
 };
 
 /** A mesh projected into a camera's frame once, to be rasterised in several ways. */
-class MeshInFrame
+class ProjectedMesh
 {
 public:
   /** Mesh and execution must outlive it. */
-  MeshInFrame(const TriangleMesh& mesh, const Camera& camera, const Execution& execution);
-  ~MeshInFrame();
+  ProjectedMesh(const TriangleMesh& mesh, const Camera& camera, const Execution& execution);
+  ~ProjectedMesh();
 
   /** What novelview::Rasterise() makes. */
   ItemBuffer Rasterise() const;
 
   /** The same with perSide^2 rays through each of the `chosen` pixels. */
-  SubRays RasteriseSubRays(const Image<std::uint8_t>& chosen, int perSide) const;
+  Subsamples RasteriseSubsamples(const Image<std::uint8_t>& chosen, int perSide) const;
 
 private:
-  const std::unique_ptr<const TriangleBands> Bands;
+  const std::unique_ptr<const RowTiles> Bands;
 };
 }
 

@@ -3,7 +3,7 @@
 
 #include "core/ToInt.h"
 #include "geometry/ViewSelection.h"
-#include "hull/LatticeCells.h"
+#include "hull/SurfaceNets.h"
 #include "silhouettes/SearchBox.h"
 #include "silhouettes/SilhouetteField.h"
 
@@ -22,7 +22,7 @@ using Eigen::Vector3i;
 
 constexpr int BlockCells = 4;           ///< lattice cells along a block's side
 constexpr int Corners = BlockCells + 1; ///< lattice points along a block's side
-constexpr int MostBlocks = 1 << 18;     ///< along a side of the lattice
+constexpr int MaxBlocks = 1 << 18;      ///< along a side of the lattice
 
 /** The lattice: cell (i,j,k) spans Origin + Spacing * [i, i+1) x ... */
 struct Lattice
@@ -116,9 +116,9 @@ Vector3d FindCrossing(const SilhouetteField& field, Probe a, Probe b, double tol
 {
   // Halving alone reaches the accuracy in 45 steps, unless the world's origin is so far away that
   // points cannot be told apart so finely.
-  constexpr int MostSteps = 100;
+  constexpr int MaxSteps = 100;
   for (int step = 1;
-       step < MostSteps && a.Value > tolerance && (b.Point - a.Point).norm() > tolerance; ++step)
+       step < MaxSteps && a.Value > tolerance && (b.Point - a.Point).norm() > tolerance; ++step)
   {
     // Aims at the middle of what is good enough, so that it stops on whichever side it comes from.
     const double t = (a.Value - 0.5 * tolerance) / (a.Value - b.Value);
@@ -307,7 +307,7 @@ void KeepComponents(std::vector<CellSample>& samples, bool keepAll, VisualHullRe
 {
   SortedCells cells = SortCells(samples);
   const std::vector<int> components = FindComponents(samples, cells);
-  const std::vector<char> stays = ThinOut(samples, cells, result.Spacing);
+  const std::vector<char> stays = Subsample(samples, cells, result.Spacing);
   std::vector<std::size_t> sizes(samples.size());
   for (const int component : components)
   {
@@ -420,7 +420,7 @@ VisualHullResult ComputeVisualHull(
   for (int axis = 0; axis < 3; ++axis)
   {
     const double blocks = result.Box.sizes()[axis] / (result.Spacing * BlockCells);
-    if (!(blocks <= MostBlocks))
+    if (!(blocks <= MaxBlocks))
     {
       std::ostringstream cells;
       cells << blocks * BlockCells << " cells along a side";

@@ -178,7 +178,7 @@ std::vector<double> FindOutstanding(
     rays += survey.Blames.size();
     for (const Blame& blame : survey.Blames)
     {
-      if (blame.Excess > options.LeastPx)
+      if (blame.Excess > options.MinPx)
       {
         excesses[blame.View].push_back(blame.Excess);
       }
@@ -191,7 +191,7 @@ std::vector<double> FindOutstanding(
     shares[k] = others ? static_cast<double>(excesses[k].size()) / static_cast<double>(others) : 0;
   }
   // A ray that gives way to the culprit may run into another: the worst are put right first.
-  const double least = std::max({ options.LeastShare, options.Outstanding * Quantile(shares, 0.5),
+  const double least = std::max({ options.MinShare, options.Outstanding * Quantile(shares, 0.5),
     0.6 * *std::max_element(shares.begin(), shares.end()) });
   std::vector<double> offsets(surveys.size(), 0);
   for (std::size_t k = 0; k < surveys.size(); ++k)
@@ -219,7 +219,7 @@ double FindSlack(const std::vector<Survey>& surveys, const ConsistencyOptions& o
     disagreements.push_back(Quantile(excesses, 0.9));
   }
   const double usual = Quantile(disagreements, 0.5);
-  return usual > options.LeastPx ? std::min(0.5 * usual, options.MostSlackPx) : 0;
+  return usual > options.MinPx ? std::min(0.5 * usual, options.MaxSlackPx) : 0;
 }
 }
 

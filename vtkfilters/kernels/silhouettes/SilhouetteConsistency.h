@@ -11,13 +11,13 @@ namespace novelview
 {
 struct ConsistencyOptions
 {
-  int RaysPerView = 300;    ///< about so many rays of each silhouette's contour are followed, and
-  int RaysOfAll = 7200;     ///< not many more than so many in all, since each meets every view
-  double LeastPx = 0.5;     ///< smaller offsets are left alone, and so is what disagrees by less
-  double LeastShare = 0.05; ///< part of the others' rays that a silhouette has to cut
-  double Outstanding = 3;   ///< and so many times the median silhouette's part
-  int Rounds = 5;           ///< at most, each with what the last one found put right
-  double MostSlackPx = 0.6; ///< what all are enlarged by at most
+  int RaysPerView = 300;   ///< about so many rays of each silhouette's contour are followed, and
+  int RaysOfAll = 7200;    ///< not many more than so many in all, since each meets every view
+  double MinPx = 0.5;      ///< smaller offsets are left alone, and so is what disagrees by less
+  double MinShare = 0.05;  ///< part of the others' rays that a silhouette has to cut
+  double Outstanding = 3;  ///< and so many times the median silhouette's part
+  int Rounds = 5;          ///< at most, each with what the last one found put right
+  double MaxSlackPx = 0.6; ///< what all are enlarged by at most
 };
 
 /**

@@ -101,7 +101,7 @@ Image<float> DepthConfidence(const std::vector<View>& views, int viewId,
   Image<float> confidence(depth.Width, depth.Height);
   for (int y = 0; y < depth.Height; ++y)
   {
-    execution.Tick();
+    execution.CheckCancelled();
     for (int x = 0; x < depth.Width; ++x)
     {
       if (depth(x, y) <= 0)

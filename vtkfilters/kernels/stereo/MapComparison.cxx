@@ -18,10 +18,10 @@ namespace
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr int Neighbours = 4;           ///< photographs each is compared with
-constexpr int Every = 3;                ///< pixels compared, per direction
-constexpr double RimPx = 4;             ///< at the rim maps are wrong without being noisy
-constexpr std::size_t LeastPoints = 50; ///< fewer tell nothing
+constexpr int Neighbours = 4;         ///< photographs each is compared with
+constexpr int Every = 3;              ///< pixels compared, per direction
+constexpr double RimPx = 4;           ///< at the rim maps are wrong without being noisy
+constexpr std::size_t MinPoints = 50; ///< fewer tell nothing
 
 /** A pixel of one map found again in another. */
 struct Match
@@ -74,7 +74,7 @@ void ForEachMatch(const View& view, const View& other, const Take& take)
 
 std::optional<double> MedianOf(std::vector<double>& values)
 {
-  if (values.size() < LeastPoints)
+  if (values.size() < MinPoints)
   {
     return std::nullopt;
   }

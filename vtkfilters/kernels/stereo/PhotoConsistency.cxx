@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stereo/PhotoConsistency.h"
 
-#include "core/CpuClones.h"
+#include "core/FunctionMultiversioning.h"
 #include "core/ToInt.h"
 
 #include <algorithm>

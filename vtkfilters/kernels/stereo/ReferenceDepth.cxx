@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stereo/ReferenceDepth.h"
 
-#include "core/FillInLayers.h"
+#include "core/FillHolesIteratively.h"
 #include "core/ToInt.h"
 #include "geometry/Rasteriser.h"
 #include "geometry/ViewSelection.h"
@@ -46,9 +46,9 @@ struct PassResult
   Image<float> Score;
 };
 
-PassResult MatchPass(const MatchImage& key, const Image<float>& base, const Image<float>& last,
-  const std::vector<const MatchImage*>& neighbours, const OffsetLabels& labels,
-  const ReferenceDepthOptions& options, const Execution& execution)
+PassResult MatchPass(const MatchImage& reference, const Image<float>& base,
+  const Image<float>& last, const std::vector<const MatchImage*>& neighbours,
+  const DepthHypotheses& labels, const ReferenceDepthOptions& options, const Execution& execution)
 {
   PassResult result;
   result.Depth = Image<float>(base.Width, base.Height);
@@ -58,11 +58,11 @@ PassResult MatchPass(const MatchImage& key, const Image<float>& base, const Imag
   {
     return result;
   }
-  const MatchingVolume volume =
-    MatchNeighbours(key, base, last, neighbours, box, labels, options.Match, execution);
-  const MatchingVolume sums = AggregateSemiGlobally(volume, base, options.SemiGlobal, execution);
+  const CostVolume volume =
+    MatchNeighbours(reference, base, last, neighbours, box, labels, options.Match, execution);
+  const CostVolume sums = AggregateSemiGlobally(volume, base, options.SemiGlobal, execution);
   Image<std::uint8_t> winner;
-  result.Depth = MedianOfKnown(WinningDepth(sums, base, winner), 2);
+  result.Depth = MaskedMedian(WinnerTakesAll(sums, base, winner), 2);
   for (int y = 0; y < box.Height(); ++y)
   {
     for (int x = 0; x < box.Width(); ++x)
@@ -70,7 +70,7 @@ PassResult MatchPass(const MatchImage& key, const Image<float>& base, const Imag
       if (base(box.X0 + x, box.Y0 + y) > 0)
       {
         const float cost = volume.Row(y, winner(box.X0 + x, box.Y0 + y))[x];
-        result.Score(box.X0 + x, box.Y0 + y) = 1 - cost / MatchingVolume::Unit;
+        result.Score(box.X0 + x, box.Y0 + y) = 1 - cost / CostVolume::Unit;
       }
     }
   }
@@ -113,7 +113,7 @@ void FillKnown(Image<float>& image, const MatchImage& mask)
     }
   }
   // What is new in a layer stays negative until the layer is done.
-  FillInLayers(
+  FillHolesIteratively(
     std::move(open),
     [&image](std::size_t i)
     {
@@ -148,12 +148,12 @@ public:
     , Depths(views.size())
     , Confidences(views.size())
   {
-    const double leastCosine = std::cos(options.MaxAngleDeg * EIGEN_PI / 180);
+    const double minCosine = std::cos(options.MaxAngleDeg * EIGEN_PI / 180);
     for (std::size_t i = 0; i < views.size(); ++i)
     {
       std::erase_if(this->Neighbours[i],
         [&](int j)
-        { return views[i].Cam.OpticalAxis().dot(views[j].Cam.OpticalAxis()) < leastCosine; });
+        { return views[i].Cam.OpticalAxis().dot(views[j].Cam.OpticalAxis()) < minCosine; });
     }
   }
 
@@ -237,7 +237,7 @@ private:
       views[i].DepthMap = this->Depths[i].Ref();
       views[i].Confidence = this->Confidences[i].Ref();
     }
-    const FusedField field(views, this->Options.Fusion, this->Footprint);
+    const TsdfField field(views, this->Options.Fusion, this->Footprint);
     std::vector<std::vector<int>> around = NearestNeighbours(views, this->Options.FusedViews - 1);
     std::vector<Image<float>> bases(images.size());
     this->InBatches(0.25, 0.4,
@@ -255,7 +255,7 @@ private:
   {
     const float thickest =
       *std::max_element(interval.Thickness.Values.begin(), interval.Thickness.Values.end());
-    OffsetLabels labels;
+    DepthHypotheses labels;
     labels.First = this->Options.CoarseFirstPx * this->Footprint;
     labels.Step = this->Options.CoarseStepPx * this->Footprint;
     const double last = std::min<double>(thickest, this->Options.CoarseLastPx * this->Footprint);
@@ -279,13 +279,13 @@ private:
   }
 
   Image<float> SeenFrom(
-    const MatchImage& image, const HullInterval& interval, const FusedField& field) const
+    const MatchImage& image, const HullInterval& interval, const TsdfField& field) const
   {
     Image<float> base(image.Cam.Width, image.Cam.Height);
     const Vector3d centre = image.Cam.Centre();
     for (int y = 0; y < base.Height; ++y)
     {
-      this->Run.Tick();
+      this->Run.CheckCancelled();
       for (int x = 0; x < base.Width; ++x)
       {
         const double front = interval.Front(x, y);
@@ -295,13 +295,13 @@ private:
         }
         // With a direction of unit depth the ray's parameter is the depth itself.
         const Vector3d direction = image.Cam.Unproject(Vector2d(x, y), 1) - centre;
-        const auto met = field.Walk(centre, direction, front - 1.5 * this->Footprint,
+        const auto met = field.FindFirstCrossing(centre, direction, front - 1.5 * this->Footprint,
           front + interval.Thickness(x, y), this->Options.CoarseStepPx * this->Footprint);
         base(x, y) = static_cast<float>(met.Surface.value_or(0));
       }
     }
     FillKnown(base, image);
-    return MedianOfKnown(base, 2);
+    return MaskedMedian(base, 2);
   }
 
   void FinePass(std::int64_t i, const std::vector<MatchImage>& images, const Image<float>& halfBase)
@@ -314,7 +314,7 @@ private:
     {
       base.Values[n] = image.Pixels.Values[4 * n + 3] > 0 ? base.Values[n] : 0.f;
     }
-    OffsetLabels labels;
+    DepthHypotheses labels;
     labels.First = -this->Options.FineRangePx * this->Footprint;
     labels.Step = this->Options.FineStepPx * this->Footprint;
     labels.Count = 2 * ToInt(this->Options.FineRangePx / this->Options.FineStepPx) + 1;

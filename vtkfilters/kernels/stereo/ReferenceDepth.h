@@ -3,10 +3,10 @@
 #define novelview_ReferenceDepth_h
 
 #include "core/Execution.h"
-#include "fusion/FusedField.h"
+#include "fusion/TsdfField.h"
 #include "geometry/TriangleMesh.h"
 #include "geometry/View.h"
-#include "stereo/MatchingVolume.h"
+#include "stereo/CostVolume.h"
 
 #include <vector>
 
@@ -37,11 +37,11 @@ struct ReferenceDepth
 };
 
 /**
- * A depth map in every photograph, each in turn the key image and its neighbours the secondaries:
- * the paper's triangulated points [7, 8] done for every pixel of every key.
+ * A depth map in every photograph, each in turn the reference image and its neighbours the secondaries:
+ * the paper's triangulated points [7, 8] done for every pixel of every reference.
  *
  *  1. At half resolution, matching behind the hull's front surface with semi-global smoothing.
- *  2. The maps of photographs around each one fused (FusedField) and seen again from it.
+ *  2. The maps of photographs around each one fused (TsdfField) and seen again from it.
  *  3. At full resolution, matching about that surface.
  *  4. Confidence = photo score x cosine of incidence x agreement with the neighbouring maps.
  *
@@ -55,7 +55,7 @@ std::vector<ReferenceDepth> EstimateReferenceDepths(const std::vector<View>& vie
 // ---- parts, for tests and reuse -------------------------------------------------------------------
 
 /** Median over the (2 radius + 1)^2 window's values above 0; 0 stays 0. */
-Image<float> MedianOfKnown(const Image<float>& image, int radius);
+Image<float> MaskedMedian(const Image<float>& image, int radius);
 
 /**
  * The confidence of each depth of view `viewId` given the maps of all.

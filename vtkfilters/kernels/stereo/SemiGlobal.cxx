@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stereo/MatchingVolume.h"
+#include "stereo/CostVolume.h"
 
-#include "core/CpuClones.h"
+#include "core/FunctionMultiversioning.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,12 +13,12 @@ namespace
 using Cost = std::int16_t;
 
 /** More than any path costs, and far from overflow. */
-constexpr Cost Unreachable = 8 * MatchingVolume::Unit;
+constexpr Cost Unreachable = 8 * CostVolume::Unit;
 
 /** A penalty in units of cost; what is cut off is far above the cost of any jump. */
 Cost PenaltyOf(double penalty)
 {
-  return static_cast<Cost>(std::lround(std::clamp(penalty, 0.0, 2.5) * MatchingVolume::Unit));
+  return static_cast<Cost>(std::lround(std::clamp(penalty, 0.0, 2.5) * CostVolume::Unit));
 }
 
 /** The path costs of one row of pixels: labels x width, and the least per pixel. */
@@ -27,14 +27,14 @@ struct PathRow
   PathRow(int labels, int width)
     : Width(width)
     , Costs(static_cast<std::size_t>(labels) * width, 0)
-    , Least(width, 0)
+    , Min(width, 0)
   {
   }
   Cost* Of(int label) { return this->Costs.data() + static_cast<std::size_t>(label) * this->Width; }
 
   int Width;
   std::vector<Cost> Costs;
-  std::vector<Cost> Least;
+  std::vector<Cost> Min;
 };
 
 /** One label of a row: what comes from the pixels that the paths come from. */
@@ -43,7 +43,7 @@ struct Arrivals
   const Cost* Same;
   const Cost* Down;
   const Cost* Up;
-  const Cost* Least;
+  const Cost* Min;
 };
 
 /** Goes one pixel further; the loops over a row are plain so that the compiler does many at once. */
@@ -54,9 +54,9 @@ NOVELVIEW_CLONES void Advance(const Arrivals& from, const Cost* __restrict cost,
   for (int x = 0; x < width; ++x)
   {
     const Cost step = static_cast<Cost>(std::min(from.Down[x], from.Up[x]) + p1);
-    const Cost jump = static_cast<Cost>(from.Least[x] + p2);
+    const Cost jump = static_cast<Cost>(from.Min[x] + p2);
     const Cost reached = std::min(std::min(from.Same[x], step), jump);
-    const Cost path = static_cast<Cost>((cost[x] + reached - from.Least[x]) & mask[x]);
+    const Cost path = static_cast<Cost>((cost[x] + reached - from.Min[x]) & mask[x]);
     out[x] = path;
     least[x] = std::min(least[x], path);
     sum[x] = static_cast<Cost>(sum[x] + path);
@@ -68,30 +68,30 @@ NOVELVIEW_CLONES Cost AdvanceLabels(const Cost* __restrict before, const Cost* _
   Cost least, Cost p1, Cost p2, int labels, Cost* __restrict out, Cost* __restrict sum)
 {
   const Cost jump = static_cast<Cost>(least + p2);
-  Cost nextLeast = Unreachable;
+  Cost nextMin = Unreachable;
   for (int label = 0; label < labels; ++label)
   {
     const Cost step = static_cast<Cost>(std::min(before[label - 1], before[label + 1]) + p1);
     const Cost reached = std::min(std::min(before[label], step), jump);
     const Cost path = static_cast<Cost>(cost[label] + reached - least);
     out[label] = path;
-    nextLeast = std::min(nextLeast, path);
+    nextMin = std::min(nextMin, path);
     sum[label] = static_cast<Cost>(sum[label] + path);
   }
-  return nextLeast;
+  return nextMin;
 }
 
 /** What all directions share. */
 class Aggregator
 {
 public:
-  Aggregator(const MatchingVolume& volume, const Image<float>& base,
-    const SemiGlobalOptions& options, const Execution& execution)
+  Aggregator(const CostVolume& volume, const Image<float>& base, const SemiGlobalOptions& options,
+    const Execution& execution)
     : Volume(volume)
     , Execute(execution)
     , Base(base)
-    , P1(PenaltyOf(options.StepPenalty))
-    , P2(PenaltyOf(options.JumpPenalty))
+    , P1(PenaltyOf(options.P1))
+    , P2(PenaltyOf(options.P2))
     , Width(volume.Box.Width())
     , Height(volume.Box.Height())
     , Labels(volume.Labels.Count)
@@ -102,7 +102,7 @@ public:
   {
   }
 
-  MatchingVolume Run()
+  CostVolume Run()
   {
     this->AlongRows(1);
     this->AlongRows(-1);
@@ -130,12 +130,12 @@ private:
     std::vector<PathRow> now = before;
     for (int n = 0; n < this->Height; ++n)
     {
-      this->Execute.Tick();
+      this->Execute.CheckCancelled();
       const int y = dy > 0 ? n : this->Height - 1 - n;
       this->ReadMask(y);
       for (PathRow& row : now)
       {
-        std::fill_n(row.Least.begin() + 1, this->Width, Unreachable);
+        std::fill_n(row.Min.begin() + 1, this->Width, Unreachable);
       }
       for (int label = 0; label < this->Labels; ++label)
       {
@@ -145,9 +145,9 @@ private:
           PathRow& to = now[dx + 1];
           const Arrivals arrivals{ from.Of(label) + 1 - dx,
             from.Of(std::max(label - 1, 0)) + 1 - dx,
-            from.Of(std::min(label + 1, this->Labels - 1)) + 1 - dx, from.Least.data() + 1 - dx };
+            from.Of(std::min(label + 1, this->Labels - 1)) + 1 - dx, from.Min.data() + 1 - dx };
           Advance(arrivals, this->Volume.Row(y, label), this->Mask.data(), this->P1, this->P2,
-            this->Width, to.Of(label) + 1, to.Least.data() + 1, this->Sums.Row(y, label));
+            this->Width, to.Of(label) + 1, to.Min.data() + 1, this->Sums.Row(y, label));
         }
       }
       std::swap(before, now);
@@ -205,7 +205,7 @@ private:
     }
   }
 
-  const MatchingVolume& Volume;
+  const CostVolume& Volume;
   const Execution& Execute;
   const Image<float>& Base;
   const Cost P1;
@@ -213,21 +213,21 @@ private:
   const int Width;
   const int Height;
   const int Labels;
-  MatchingVolume Sums;
+  CostVolume Sums;
   std::vector<Cost> Mask;
   std::vector<Cost> CostsOfPixels; ///< of one row, a pixel's labels side by side
   std::vector<Cost> SumsOfPixels;
 };
 }
 
-MatchingVolume AggregateSemiGlobally(const MatchingVolume& volume, const Image<float>& base,
+CostVolume AggregateSemiGlobally(const CostVolume& volume, const Image<float>& base,
   const SemiGlobalOptions& options, const Execution& execution)
 {
   return Aggregator(volume, base, options, execution).Run();
 }
 
-Image<float> WinningDepth(
-  const MatchingVolume& aggregated, const Image<float>& base, Image<std::uint8_t>& winner)
+Image<float> WinnerTakesAll(
+  const CostVolume& aggregated, const Image<float>& base, Image<std::uint8_t>& winner)
 {
   Image<float> depth(base.Width, base.Height);
   winner = Image<std::uint8_t>(base.Width, base.Height);

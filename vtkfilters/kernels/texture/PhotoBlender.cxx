@@ -46,7 +46,7 @@ namespace
 double Visibility(
   const BlendReference& reference, const Vector2d& u, double z, const TextureOptions& options)
 {
-  const double behind = DepthBehind(reference.Depth, u, z) * reference.FocalLength / z;
+  const double behind = OcclusionDepth(reference.Depth, u, z) * reference.FocalLength / z;
   if (options.OcclusionPx <= 0)
   {
     return behind <= 1.5 ? 1 : 0;

@@ -2,7 +2,7 @@
 #include "texture/TextureAtlas.h"
 
 #include "core/Error.h"
-#include "core/FillInLayers.h"
+#include "core/FillHolesIteratively.h"
 #include "core/ToInt.h"
 #include "geometry/MeshNeighbours.h"
 #include "texture/AtlasCharts.h"
@@ -69,7 +69,7 @@ void FillUnknown(
       open.push_back(static_cast<int>(ptId));
     }
   }
-  FillInLayers(
+  FillHolesIteratively(
     std::move(open),
     [&](int ptId)
     {
@@ -106,7 +106,7 @@ class AtlasPainter
 public:
   AtlasPainter(const Surface& surface, const std::vector<Rgb>& pointColours,
     const AtlasLayout& layout, Image<std::uint8_t>& picture)
-    : Own(surface)
+    : Textured(surface)
     , PointColours(pointColours)
     , Layout(layout)
     , Picture(picture)
@@ -138,12 +138,12 @@ public:
 private:
   void PaintTriangle(const AtlasChart& chart, int cellId)
   {
-    const Eigen::Vector3i& t = this->Own.Mesh.Triangles[cellId];
+    const Eigen::Vector3i& t = this->Textured.Mesh.Triangles[cellId];
     const Camera& camera = this->Layout.Views[chart.View].Cam;
     Vector2d p[3]; // in the chart's rectangle
     for (int corner = 0; corner < 3; ++corner)
     {
-      p[corner] = this->Layout.InChart(chart, this->Own.Mesh.Points[t[corner]]);
+      p[corner] = this->Layout.InChart(chart, this->Textured.Mesh.Points[t[corner]]);
     }
     const double area = Cross(p[1] - p[0], p[2] - p[0]);
     if (area == 0)
@@ -167,7 +167,7 @@ private:
           Vector3d onTriangle;
           for (int corner = 0; corner < 3; ++corner)
           {
-            onTriangle[corner] = w[corner] / camera.Depth(this->Own.Mesh.Points[t[corner]]);
+            onTriangle[corner] = w[corner] / camera.Depth(this->Textured.Mesh.Points[t[corner]]);
           }
           this->PaintTexel(chart, x, y, t, onTriangle / onTriangle.sum());
         }
@@ -178,10 +178,10 @@ private:
   /** A triangle between the texels, or seen from its edge, has colours at its corners at least. */
   void PaintCorners(const AtlasChart& chart, int cellId)
   {
-    const Eigen::Vector3i& t = this->Own.Mesh.Triangles[cellId];
+    const Eigen::Vector3i& t = this->Textured.Mesh.Triangles[cellId];
     for (int corner = 0; corner < 3; ++corner)
     {
-      const Vector2d p = this->Layout.InChart(chart, this->Own.Mesh.Points[t[corner]]);
+      const Vector2d p = this->Layout.InChart(chart, this->Textured.Mesh.Points[t[corner]]);
       const int x = RoundToInt(p.x());
       const int y = RoundToInt(p.y());
       if (!this->Done(x, y))
@@ -199,8 +199,8 @@ private:
     double filled[3] = { 0, 0, 0 };
     for (int corner = 0; corner < 3; ++corner)
     {
-      point += w[corner] * this->Own.Mesh.Points[t[corner]];
-      normal += w[corner] * this->Own.Normals[t[corner]];
+      point += w[corner] * this->Textured.Mesh.Points[t[corner]];
+      normal += w[corner] * this->Textured.Normals[t[corner]];
       for (int channel = 0; channel < 3; ++channel)
       {
         filled[channel] += w[corner] * this->PointColours[t[corner]][channel];
@@ -257,7 +257,7 @@ private:
     return a.x() * b.y() - a.y() * b.x();
   }
 
-  const Surface& Own;
+  const Surface& Textured;
   const std::vector<Rgb>& PointColours;
   const AtlasLayout& Layout;
   Image<std::uint8_t>& Picture;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "texture/TextureMapping.h"
 
-#include "core/CpuClones.h"
-#include "core/FillInLayers.h"
+#include "core/FillHolesIteratively.h"
+#include "core/FunctionMultiversioning.h"
 #include "core/ToInt.h"
 #include "texture/PhotoBlender.h"
 
@@ -45,7 +45,7 @@ std::vector<BlendReference> ReferencesFor(const TriangleMesh& mesh, const Triang
     views, &axis, options, execution);
 }
 
-/** How much of a pixel the mesh covers, and which sub-ray gave the pixel its depth. */
+/** How much of a pixel the mesh covers, and which subsample gave the pixel its depth. */
 struct RimCoverage
 {
   float Covered; ///< 0 to 1
@@ -55,12 +55,12 @@ struct RimCoverage
 
 /**
  * Item buffer with the share of each pixel that the mesh covers. A pixel whose centre is missed but
- * of which half is covered takes the hit sub-ray nearest the centre.
+ * of which half is covered takes the hit subsample nearest the centre.
  */
 struct CoveredBuffer
 {
   ItemBuffer Front;
-  SubRays Rays;                 ///< through the pixels next to which another is not hit as they are
+  Subsamples Rays;              ///< through the pixels next to which another is not hit as they are
   std::vector<RimCoverage> Rim; ///< of those pixels
 
   /** How much of a pixel is covered, 0 to 1. */
@@ -132,10 +132,10 @@ Image<std::uint8_t> RimPixels(const ItemBuffer& front, const Execution& executio
   return rim;
 }
 
-/** Settles a rim pixel by its sub-rays. */
+/** Settles a rim pixel by its subsamples. */
 void CoverRimPixel(CoveredBuffer& buffer, int x, int y)
 {
-  const SubRays& rays = buffer.Rays;
+  const Subsamples& rays = buffer.Rays;
   const int perSide = rays.Grid.PerSide;
   const int middle = perSide / 2;
   RimCoverage& rim = buffer.Rim[rays.Index(x, y)];
@@ -170,11 +170,11 @@ void CoverRimPixel(CoveredBuffer& buffer, int x, int y)
 CoveredBuffer RasteriseCovered(
   const TriangleMesh& mesh, const Camera& camera, int samples, const Execution& execution)
 {
-  const MeshInFrame inFrame(mesh, camera, execution);
+  const ProjectedMesh inFrame(mesh, camera, execution);
   ItemBuffer front = inFrame.Rasterise();
   const Image<std::uint8_t> rim =
     samples > 1 ? RimPixels(front, execution) : Image<std::uint8_t>(camera.Width, camera.Height);
-  CoveredBuffer result{ std::move(front), inFrame.RasteriseSubRays(rim, samples), {} };
+  CoveredBuffer result{ std::move(front), inFrame.RasteriseSubsamples(rim, samples), {} };
   result.Rim.resize(result.Rays.Pixels);
   execution.ForEach(camera.Height,
     [&](std::int64_t row)
@@ -198,7 +198,7 @@ void FillUnseen(const PixelList& open, Image<float>& color, Image<std::uint8_t>&
 {
   const auto knownRef = known.Ref();
   // An island no reference sees any pixel of stays black, and flagged.
-  FillInLayers(
+  FillHolesIteratively(
     open,
     [&](const std::pair<int, int>& pixel)
     {

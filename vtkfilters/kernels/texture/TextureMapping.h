@@ -37,7 +37,7 @@ struct TextureOptions
   bool UseDepthMaps = false;
   /** Divide colours by the views' Gain. */
   bool UseGains = false;
-  /** Sub-rays per pixel side that decide a rim pixel's coverage, odd; 1 = no antialiasing. */
+  /** Subsamples per pixel side that decide a rim pixel's coverage, odd; 1 = no antialiasing. */
   int RimSamples = 1;
   /**
    * Draw also the pixels of which less than half is covered, so that a contour that moves by less

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fusion/FusedField.h"
+#include "fusion/TsdfField.h"
 
-#include "core/CpuClones.h"
+#include "core/FunctionMultiversioning.h"
 
 #include <algorithm>
 #include <cmath>
@@ -71,10 +71,10 @@ NOVELVIEW_CLONES void ProjectPoint(const RayArrays& ray, double t, int count)
 }
 
 /** A ray through the field, and where the views see one of its points. */
-class FusedField::Ray
+class TsdfField::Ray
 {
 public:
-  Ray(const std::vector<Voter>& voters, const Vector3d& origin, const Vector3d& direction)
+  Ray(const std::vector<TsdfView>& voters, const Vector3d& origin, const Vector3d& direction)
     : Count(static_cast<int>(voters.size()))
     , Numbers(9 * voters.size())
     , Pixels(2 * voters.size())
@@ -100,14 +100,14 @@ public:
   }
 
   /** Where view i sees the point; false when it is behind the camera or outside the frame. */
-  bool See(int i, const Voter& voter, Sight& sight) const
+  bool See(int i, const TsdfView& voter, ProjectedSample& sample) const
   {
-    sight.Column = this->Pixels[i];
-    sight.Row = this->Pixels[this->Count + i];
-    sight.X = this->Numbers[6 * this->Count + i];
-    sight.Y = this->Numbers[7 * this->Count + i];
-    sight.Depth = this->Numbers[8 * this->Count + i];
-    return voter.ContourDistance.Contains(sight.Column, sight.Row);
+    sample.Column = this->Pixels[i];
+    sample.Row = this->Pixels[this->Count + i];
+    sample.X = this->Numbers[6 * this->Count + i];
+    sample.Y = this->Numbers[7 * this->Count + i];
+    sample.Depth = this->Numbers[8 * this->Count + i];
+    return voter.ContourDistance.Contains(sample.Column, sample.Row);
   }
 
 private:
@@ -121,22 +121,21 @@ private:
   std::vector<int> Pixels;
 };
 
-FusedField::FusedField(
-  const std::vector<View>& views, const FusionOptions& options, double footprint)
+TsdfField::TsdfField(const std::vector<View>& views, const FusionOptions& options, double footprint)
   : Options(options)
   , Tau(options.TruncationPx * footprint)
   , Footprint(footprint)
 {
   for (const View& view : views)
   {
-    Voter voter;
+    TsdfView voter;
     voter.P.leftCols<3>() = view.Cam.K * view.Cam.R;
     voter.P.col(3) = view.Cam.K * view.Cam.T;
     voter.ContourDistance = view.ContourDistance;
     voter.DepthMap = view.DepthMap;
     voter.Confidence = view.Confidence;
     voter.Cam = &view.Cam;
-    this->Voters.push_back(voter);
+    this->Views.push_back(voter);
     ExtendByMap(view, this->Bounds);
   }
   if (!this->Bounds.isEmpty())
@@ -146,18 +145,18 @@ FusedField::FusedField(
   }
 }
 
-FusedField FusedField::Of(const std::vector<int>& views) const
+TsdfField TsdfField::Of(const std::vector<int>& views) const
 {
-  FusedField part = *this;
-  part.Voters.clear();
+  TsdfField part = *this;
+  part.Views.clear();
   for (const int view : views)
   {
-    part.Voters.push_back(this->Voters[view]);
+    part.Views.push_back(this->Views[view]);
   }
   return part;
 }
 
-void FusedField::ClipToBounds(
+void TsdfField::ClipToBounds(
   const Vector3d& origin, const Vector3d& direction, double& from, double& to) const
 {
   for (int axis = 0; axis < 3 && !this->Bounds.isEmpty(); ++axis)
@@ -176,7 +175,7 @@ void FusedField::ClipToBounds(
   }
 }
 
-double FusedField::Voter::Incidence(int x, int y) const
+double TsdfField::TsdfView::Incidence(int x, int y) const
 {
   constexpr int reach = 3;
   const ImageRef<const float>& map = this->DepthMap;
@@ -201,69 +200,69 @@ double FusedField::Voter::Incidence(int x, int y) const
   return 1 / std::sqrt(1 + across * across + down * down);
 }
 
-void FusedField::Voter::AddVote(
-  const Sight& sight, double tau, double grazing, double& f, double& w) const
+void TsdfField::TsdfView::Accumulate(
+  const ProjectedSample& sample, double tau, double grazing, double& f, double& w) const
 {
-  const double depth = this->DepthMap(sight.Column, sight.Row);
-  const double s = depth - sight.Depth;
+  const double depth = this->DepthMap(sample.Column, sample.Row);
+  const double s = depth - sample.Depth;
   if (depth > 0 && s >= -tau)
   {
-    double confidence = this->Confidence(sight.Column, sight.Row);
+    double confidence = this->Confidence(sample.Column, sample.Row);
     if (grazing > 0)
     {
       const double unsure = 1 - confidence;
       confidence *=
-        1 - grazing * unsure * unsure * unsure * (1 - this->Incidence(sight.Column, sight.Row));
+        1 - grazing * unsure * unsure * unsure * (1 - this->Incidence(sample.Column, sample.Row));
     }
     f += confidence * std::min(1.0, s / tau);
     w += confidence;
   }
 }
 
-bool FusedField::Vote(const Vector3d& x, double& f, double& w) const
+bool TsdfField::Accumulate(const Vector3d& x, double& f, double& w) const
 {
-  Ray ray(this->Voters, x, Vector3d::Zero());
+  Ray ray(this->Views, x, Vector3d::Zero());
   ray.MoveTo(0);
-  return this->Vote(ray, f, w);
+  return this->Accumulate(ray, f, w);
 }
 
-bool FusedField::Vote(const Ray& ray, double& f, double& w) const
+bool TsdfField::Accumulate(const Ray& ray, double& f, double& w) const
 {
   f = 0;
   w = 0;
-  Sight sight;
-  for (int i = 0; i < static_cast<int>(this->Voters.size()); ++i)
+  ProjectedSample sample;
+  for (int i = 0; i < static_cast<int>(this->Views.size()); ++i)
   {
-    const Voter& voter = this->Voters[i];
-    if (!ray.See(i, voter, sight))
+    const TsdfView& voter = this->Views[i];
+    if (!ray.See(i, voter, sample))
     {
       continue;
     }
     const ImageRef<const float>& contour = voter.ContourDistance;
-    if (contour(sight.Column, sight.Row) < 0 && SampleBilinear(contour, sight.X, sight.Y) < 0)
+    if (contour(sample.Column, sample.Row) < 0 && SampleBilinear(contour, sample.X, sample.Y) < 0)
     {
       return false;
     }
-    voter.AddVote(sight, this->Tau, 0, f, w);
+    voter.Accumulate(sample, this->Tau, 0, f, w);
   }
   return true;
 }
 
-double FusedField::Value(const Ray& ray) const
+double TsdfField::Value(const Ray& ray) const
 {
   double f;
   double w;
   const double w0 = this->Options.SurfacePrior;
-  return this->Vote(ray, f, w) ? (f - w0) / (w + w0) : 1.0;
+  return this->Accumulate(ray, f, w) ? (f - w0) / (w + w0) : 1.0;
 }
 
-FusedField::RayResult FusedField::Walk(
+TsdfField::RayResult TsdfField::FindFirstCrossing(
   const Vector3d& origin, const Vector3d& direction, double from, double to, double step) const
 {
   RayResult result;
   this->ClipToBounds(origin, direction, from, to);
   const double w0 = this->Options.SurfacePrior;
-  Ray ray(this->Voters, origin, direction);
+  Ray ray(this->Views, origin, direction);
   double inside = 0; // length of the ray inside every silhouette so far
   double previous = from;
   bool previousFree = false;
@@ -272,7 +271,7 @@ FusedField::RayResult FusedField::Walk(
     double f;
     double w;
     ray.MoveTo(t);
-    if (!this->Vote(ray, f, w))
+    if (!this->Accumulate(ray, f, w))
     {
       previous = t;
       previousFree = true;
@@ -280,7 +279,7 @@ FusedField::RayResult FusedField::Walk(
     }
     inside += step;
     const double wm = this->Options.SilhouettePrior * this->ChordFactor(inside);
-    result.Least = std::min(result.Least, (f - wm) / (w + wm));
+    result.Min = std::min(result.Min, (f - wm) / (w + wm));
     const double value = (f - w0) / (w + w0);
     if (value > 0)
     {
@@ -300,7 +299,7 @@ FusedField::RayResult FusedField::Walk(
       }
       result.Surface = 0.5 * (a + b);
     }
-    if (result.Least < 0)
+    if (result.Min < 0)
     {
       break;
     }
@@ -308,68 +307,69 @@ FusedField::RayResult FusedField::Walk(
   return result;
 }
 
-int FusedField::Voter::StepsWithin(double pixels, const Sight& sight, const Vector3d& step) const
+int TsdfField::TsdfView::StepsWithin(
+  double pixels, const ProjectedSample& sample, const Vector3d& step) const
 {
   const ImageRef<const float>& contour = this->ContourDistance;
   const double reach = std::min(
-    { pixels, sight.X, sight.Y, contour.Width - 1 - sight.X, contour.Height - 1 - sight.Y });
+    { pixels, sample.X, sample.Y, contour.Width - 1 - sample.X, contour.Height - 1 - sample.Y });
   if (reach <= 0)
   {
     return 0;
   }
   // After n steps q of homogeneous coordinates the picture has moved by n m / (z + n q.z).
   const Vector3d q = this->P.leftCols<3>() * step;
-  const double m = std::hypot(q.x() - sight.X * q.z(), q.y() - sight.Y * q.z());
+  const double m = std::hypot(q.x() - sample.X * q.z(), q.y() - sample.Y * q.z());
   const double growth = m - reach * q.z();
   constexpr double most = 1e6;
   return static_cast<int>(
-    growth * most > reach * sight.Depth ? reach * sight.Depth / growth : most);
+    growth * most > reach * sample.Depth ? reach * sample.Depth / growth : most);
 }
 
-FusedField::Sample FusedField::Look(const Ray& ray, const Vector3d& step) const
+TsdfField::Sample TsdfField::Look(const Ray& ray, const Vector3d& step) const
 {
   const double tau = this->Options.TruncationPx;
   constexpr double nearest = 0.75; // pixels from a point to the nearest pixel's centre, at most
   Sample sample{ -tau, 0, 0, 0 };
-  Sight sight;
-  for (int i = 0; i < static_cast<int>(this->Voters.size()); ++i)
+  ProjectedSample sample;
+  for (int i = 0; i < static_cast<int>(this->Views.size()); ++i)
   {
-    const Voter& voter = this->Voters[i];
-    if (!ray.See(i, voter, sight))
+    const TsdfView& voter = this->Views[i];
+    if (!ray.See(i, voter, sample))
     {
       continue;
     }
     const ImageRef<const float>& contour = voter.ContourDistance;
-    const double outside = -contour(sight.Column, sight.Row);
+    const double outside = -contour(sample.Column, sample.Row);
     if (outside >= tau + nearest)
     {
-      return { tau, 0, 0, voter.StepsWithin(outside - nearest - tau, sight, step) };
+      return { tau, 0, 0, voter.StepsWithin(outside - nearest - tau, sample, step) };
     }
     // Interpolated only where the nearest pixel says that it can matter.
     if (outside > sample.Outside - 2)
     {
-      sample.Outside = std::max(sample.Outside, -SampleBilinear(contour, sight.X, sight.Y));
+      sample.Outside = std::max(sample.Outside, -SampleBilinear(contour, sample.X, sample.Y));
     }
-    voter.AddVote(sight, this->Tau, this->Options.GrazingDiscount, sample.F, sample.W);
+    voter.Accumulate(sample, this->Tau, this->Options.GrazingDiscount, sample.F, sample.W);
   }
   sample.Outside = std::min(sample.Outside, tau);
   return sample;
 }
 
-FusedField::Passage FusedField::Pass(
+TsdfField::ClosestApproach TsdfField::FindClosestApproach(
   const Vector3d& origin, const Vector3d& direction, double from, double to, double step) const
 {
   this->ClipToBounds(origin, direction, from, to);
   const double tau = this->Options.TruncationPx;
-  Passage passage{ tau, from };
+  ClosestApproach approach{ tau, from };
   if (from > to)
   {
-    return passage;
+    return approach;
   }
   const std::size_t count = 1 + static_cast<std::size_t>((to - from) / step);
   std::vector<double> outside(count, tau);
   std::vector<double> field(count, tau);
-  Ray ray(this->Voters, origin, direction);
+  Ray ray(this->Views, origin, direction);
   double inside = 0;
   for (std::size_t k = 0; k < count; ++k)
   {
@@ -388,30 +388,30 @@ FusedField::Passage FusedField::Pass(
   }
   for (int k = 0; k < static_cast<int>(count); ++k)
   {
-    if (outside[k] >= passage.Clearance)
+    if (outside[k] >= approach.SignedDistance)
     {
       continue;
     }
     const double value = std::max(outside[k], std::clamp(ParabolaAt(field, k), -tau, tau));
-    if (value < passage.Clearance)
+    if (value < approach.SignedDistance)
     {
-      passage = { value, from + k * step };
+      approach = { value, from + k * step };
     }
   }
-  return passage;
+  return approach;
 }
 
-double FusedField::ChordFactor(double inside) const
+double TsdfField::ChordFactor(double inside) const
 {
   // A longer chord of the hull makes it more likely that something of it is object.
   return 1 + 0.25 * std::min(6.0, inside / (50 * this->Footprint));
 }
 
-double FusedField::PriorNeeded(const Vector3d& origin, const Vector3d& direction, double from,
+double TsdfField::PriorNeeded(const Vector3d& origin, const Vector3d& direction, double from,
   double to, double step, double enough) const
 {
   this->ClipToBounds(origin, direction, from, to);
-  Ray ray(this->Voters, origin, direction);
+  Ray ray(this->Views, origin, direction);
   double least = std::numeric_limits<double>::infinity();
   double inside = 0;
   for (double t = from; t <= to && least > enough; t += step)
@@ -419,7 +419,7 @@ double FusedField::PriorNeeded(const Vector3d& origin, const Vector3d& direction
     double f;
     double w;
     ray.MoveTo(t);
-    if (this->Vote(ray, f, w))
+    if (this->Accumulate(ray, f, w))
     {
       inside += step;
       least = std::min(least, f / this->ChordFactor(inside));

@@ -2,7 +2,7 @@
 #include "formats/Middlebury.h"
 #include "images/ImageFile.h"
 #include "support/TestSupport.h"
-#include "video/FramePlan.h"
+#include "video/CameraTrajectory.h"
 
 using namespace novelview;
 using namespace novelview::testing_support;
@@ -11,7 +11,7 @@ using Eigen::Vector3d;
 namespace
 {
 /** Eight cameras on a ring of radius 4, height 1, with photographs of 32x24. */
-class FramePlanTest : public testing::Test
+class CameraTrajectoryTest : public testing::Test
 {
 protected:
   static Camera OnRing(double angleDeg)
@@ -23,7 +23,7 @@ protected:
       Vector3d::UnitY(), k, 32, 24);
   }
 
-  FramePlanTest()
+  CameraTrajectoryTest()
   {
     std::vector<NamedCamera> cameras;
     for (int i = 0; i < 8; ++i)
@@ -63,7 +63,7 @@ protected:
 };
 }
 
-TEST_F(FramePlanTest, WithoutAPathOnceRoundTheRing)
+TEST_F(CameraTrajectoryTest, WithoutAPathOnceRoundTheRing)
 {
   const std::vector<Camera> frames = this->Frames("");
   ASSERT_EQ(frames.size(), 72u);
@@ -76,13 +76,13 @@ TEST_F(FramePlanTest, WithoutAPathOnceRoundTheRing)
   EXPECT_LT(Apart(this->Frames("")[3], OnRing(135)), 1e-9);
 }
 
-TEST_F(FramePlanTest, CamerasOnNoRingNeedAPath)
+TEST_F(CameraTrajectoryTest, CamerasOnNoRingNeedAPath)
 {
   this->Exclude = { "v3.png", "v4.png", "v5.png", "v6.png", "v7.png" };
   ExpectError([&] { this->Frames(""); }, "are on no ring", "--path says where");
 }
 
-TEST_F(FramePlanTest, KeysByNameNumberPoseAndTarget)
+TEST_F(CameraTrajectoryTest, KeysByNameNumberPoseAndTarget)
 {
   const std::vector<Camera> frames = this->Frames(R"({ "keys": [
     { "frame": 10, "camera": "v1.png" },
@@ -101,7 +101,7 @@ TEST_F(FramePlanTest, KeysByNameNumberPoseAndTarget)
   EXPECT_EQ(frames[4].Width, 32);
 }
 
-TEST_F(FramePlanTest, CountsFramesAsTheKeysOrTheUserSay)
+TEST_F(CameraTrajectoryTest, CountsFramesAsTheKeysOrTheUserSay)
 {
   const std::string even = R"({ "keys": [ { "camera": 0 }, { "camera": 1 }, { "camera": 2 } ]})";
   EXPECT_EQ(this->Frames(even).size(), 72u);
@@ -125,7 +125,7 @@ TEST_F(FramePlanTest, CountsFramesAsTheKeysOrTheUserSay)
   EXPECT_EQ(closed[8].Height, 20);
 }
 
-TEST_F(FramePlanTest, SlipsAreNamed)
+TEST_F(CameraTrajectoryTest, SlipsAreNamed)
 {
   this->ExpectRefused("[]", "is no job");
   this->ExpectRefused(R"({ "keys": [ { "camera": 0 } ] })", "an array of at least 2");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "silhouettes/HullAgreement.h"
+#include "silhouettes/HullConsistency.h"
 
 #include "core/ToInt.h"
 
@@ -14,7 +14,7 @@ namespace
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr int MostSteps = 4096; ///< along a ray, whatever the cameras are
+constexpr int MaxSteps = 4096; ///< along a ray, whatever the cameras are
 
 /** A range of the parameter of a ray. */
 struct RayRange
@@ -147,11 +147,11 @@ private:
 /** What the other views say about a point. */
 struct PointVerdict
 {
-  double Least = std::numeric_limits<double>::infinity();
+  double Min = std::numeric_limits<double>::infinity();
   double Second = std::numeric_limits<double>::infinity();
-  int LeastId = -1; ///< index of the other view that says Least
+  int MinId = -1; ///< index of the other view that says Min
   int Seen = 0;
-  double Shortfall = 0; ///< without LeastId: how far the point is from being any better
+  double Shortfall = 0; ///< without MinId: how far the point is from being any better
 };
 
 /** Follows one ray at a time. */
@@ -159,15 +159,15 @@ class AgreementFollower
 {
 public:
   AgreementFollower(
-    const std::vector<SilhouetteWitness>& witnesses, const AgreementOptions& options)
+    const std::vector<SilhouetteWitness>& witnesses, const HullConsistencyOptions& options)
     : Witnesses(witnesses)
     , Options(options)
   {
   }
 
-  RayAgreement Follow(const SilhouetteRay& ray)
+  RayConsistency Follow(const SilhouetteRay& ray)
   {
-    RayAgreement result;
+    RayConsistency result;
     result.Residual = static_cast<float>(-this->Options.FloorPx);
     this->Project(ray);
     if (this->Options.WithoutEach)
@@ -203,10 +203,10 @@ private:
   static constexpr int CoarseStride = 16;
 
   /** Takes a point into account; returns the number of steps in which no point is any better. */
-  int Visit(double q, int needed, RayAgreement& result)
+  int Visit(double q, int needed, RayConsistency& result)
   {
     const PointVerdict verdict = this->Judge(q, result.Residual);
-    if (verdict.LeastId < 0)
+    if (verdict.MinId < 0)
     {
       // Distances change by no more than twice the step (that much only outside the frame).
       return ToInt(verdict.Shortfall / (2 * this->Options.StepPx));
@@ -215,14 +215,14 @@ private:
     {
       return 0;
     }
-    if (verdict.Least > result.Residual)
+    if (verdict.Min > result.Residual)
     {
-      result.Residual = static_cast<float>(verdict.Least);
+      result.Residual = static_cast<float>(verdict.Min);
       this->BestAt = q;
     }
     if (this->Options.WithoutEach)
     {
-      float& without = result.Without[this->Ids[verdict.LeastId]];
+      float& without = result.Without[this->Ids[verdict.MinId]];
       without = std::max(without, static_cast<float>(verdict.Second));
     }
     return 0;
@@ -298,10 +298,10 @@ private:
       }
     }
     const double steps = std::ceil(Parts * longest / this->Options.StepPx);
-    return ToInt(ClampedNumber(steps, 1, MostSteps));
+    return ToInt(ClampedNumber(steps, 1, MaxSteps));
   }
 
-  /** No verdict (LeastId -1) when the point cannot be better than what is known already. */
+  /** No verdict (MinId -1) when the point cannot be better than what is known already. */
   PointVerdict Judge(double q, double residual)
   {
     PointVerdict verdict;
@@ -311,22 +311,22 @@ private:
       const std::size_t i = (this->Asked + n) % count;
       const double inside = this->Witnesses[this->Ids[i]].Ask(
         this->Lines[i].At(q), this->Options.FloorPx, verdict.Seen);
-      if (inside < verdict.Least)
+      if (inside < verdict.Min)
       {
-        verdict.Second = verdict.Least;
-        verdict.Least = inside;
-        verdict.LeastId = static_cast<int>(i);
+        verdict.Second = verdict.Min;
+        verdict.Min = inside;
+        verdict.MinId = static_cast<int>(i);
       }
       else
       {
         verdict.Second = std::min(verdict.Second, inside);
       }
-      const double objection = this->Options.WithoutEach ? verdict.Second : verdict.Least;
+      const double objection = this->Options.WithoutEach ? verdict.Second : verdict.Min;
       if (objection <= residual)
       {
         // Who spoke against this point may well speak against the next.
         this->Asked = i;
-        verdict.LeastId = -1;
+        verdict.MinId = -1;
         verdict.Shortfall = residual - objection;
         return verdict;
       }
@@ -335,7 +335,7 @@ private:
   }
 
   const std::vector<SilhouetteWitness>& Witnesses;
-  const AgreementOptions& Options;
+  const HullConsistencyOptions& Options;
   Vector3d Origin;
   Vector3d Direction;
   double Scale = 1; ///< q = 1/2 is so far along the ray
@@ -371,12 +371,12 @@ std::vector<SilhouetteRay> ThinnedPixels(
 }
 }
 
-std::vector<RayAgreement> FollowSilhouetteRays(const std::vector<View>& views,
-  const std::vector<SilhouetteRay>& rays, const AgreementOptions& options,
+std::vector<RayConsistency> FollowSilhouetteRays(const std::vector<View>& views,
+  const std::vector<SilhouetteRay>& rays, const HullConsistencyOptions& options,
   const Execution& execution)
 {
   const std::vector<SilhouetteWitness> witnesses(views.begin(), views.end());
-  std::vector<RayAgreement> agreements(rays.size());
+  std::vector<RayConsistency> agreements(rays.size());
   execution.ForEachWith(
     static_cast<std::int64_t>(rays.size()), [&] { return AgreementFollower(witnesses, options); },
     [&](AgreementFollower& follower, std::int64_t i) { agreements[i] = follower.Follow(rays[i]); });

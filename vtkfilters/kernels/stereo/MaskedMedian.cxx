@@ -64,7 +64,7 @@ void BalanceUnknown(std::vector<Float4>& values)
 }
 }
 
-Image<float> MedianOfKnown(const Image<float>& image, int radius)
+Image<float> MaskedMedian(const Image<float>& image, int radius)
 {
   constexpr int lanes = 4;
   const int side = 2 * radius + 1;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef novelview_CpuClones_h
-#define novelview_CpuClones_h
+#ifndef novelview_FunctionMultiversioning_h
+#define novelview_FunctionMultiversioning_h
 
 /**
  * Before a function that is to be compiled twice, for any processor and for one with wider

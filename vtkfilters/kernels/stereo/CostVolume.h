@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef novelview_MatchingVolume_h
-#define novelview_MatchingVolume_h
+#ifndef novelview_CostVolume_h
+#define novelview_CostVolume_h
 
 #include "core/Execution.h"
 #include "core/ImageRef.h"
@@ -35,7 +35,7 @@ struct PixelBox
 };
 
 /** The offsets from the base surface, world units of depth, that are tried at every pixel. */
-struct OffsetLabels
+struct DepthHypotheses
 {
   double First = 0;
   double Step = 1;
@@ -53,12 +53,12 @@ struct MatchOptions
 };
 
 /** Costs of every offset at every pixel of a box: ((y * Labels + label) * Width + x). */
-struct MatchingVolume
+struct CostVolume
 {
   static constexpr int Unit = 1024; ///< stands for a cost of 1
 
   PixelBox Box;
-  OffsetLabels Labels;
+  DepthHypotheses Labels;
   std::vector<std::int16_t> Costs;
 
   std::int16_t* Row(int y, int label)
@@ -68,13 +68,13 @@ struct MatchingVolume
   }
   const std::int16_t* Row(int y, int label) const
   {
-    return const_cast<MatchingVolume*>(this)->Row(y, label);
+    return const_cast<CostVolume*>(this)->Row(y, label);
   }
 };
 
 /**
- * Matches a key photograph against its neighbours. At pixel p with base depth b and offset o, the
- * point of the key's ray at depth b + o is looked up in each neighbour; because the base surface
+ * Matches a reference photograph against its neighbours. At pixel p with base depth b and offset o, the
+ * point of the reference's ray at depth b + o is looked up in each neighbour; because the base surface
  * varies from pixel to pixel, windows slant with it. Per neighbour the cost is
  *
  *     (1 - ColorShare) (1 - max(0, ZNCC)) / 2  +  ColorShare mean(min(|dRGB|, truncation)) / truncation
@@ -84,35 +84,35 @@ struct MatchingVolume
  *
  * Windows are summed as rows pass by, so nothing but a few rows and the volume itself is held.
  *
- * @param base depth per pixel of the key; 0 = no base, the pixel takes no part.
+ * @param base depth per pixel of the reference; 0 = no base, the pixel takes no part.
  * @param last the largest offset that makes sense per pixel; beyond it the cost is 1.
  */
-MatchingVolume MatchNeighbours(const MatchImage& key, const Image<float>& base,
+CostVolume MatchNeighbours(const MatchImage& reference, const Image<float>& base,
   const Image<float>& last, const std::vector<const MatchImage*>& neighbours, const PixelBox& box,
-  const OffsetLabels& labels, const MatchOptions& options, const Execution& execution = {});
+  const DepthHypotheses& labels, const MatchOptions& options, const Execution& execution = {});
 
 /** The box around the pixels with a base. */
 PixelBox BoxOfBase(const Image<float>& base);
 
 struct SemiGlobalOptions
 {
-  double StepPenalty = 0.03; ///< P1, between labels that differ by one
-  double JumpPenalty = 0.2;  ///< P2, between any others
+  double P1 = 0.03; ///< P1, between labels that differ by one
+  double P2 = 0.2;  ///< P2, between any others
 };
 
 /**
  * Semi-global matching (Hirschmueller 2008): adds up the least costs along eight directions.
  * Returns the sums in a volume of the same shape.
  */
-MatchingVolume AggregateSemiGlobally(const MatchingVolume& volume, const Image<float>& base,
+CostVolume AggregateSemiGlobally(const CostVolume& volume, const Image<float>& base,
   const SemiGlobalOptions& options, const Execution& execution = {});
 
 /**
  * Depth per pixel of the frame from the least aggregated cost, refined by a parabola through it and
  * its two neighbours; 0 where there is no base. `winner` receives the label (unrefined) per pixel.
  */
-Image<float> WinningDepth(
-  const MatchingVolume& aggregated, const Image<float>& base, Image<std::uint8_t>& winner);
+Image<float> WinnerTakesAll(
+  const CostVolume& aggregated, const Image<float>& base, Image<std::uint8_t>& winner);
 }
 
 #endif

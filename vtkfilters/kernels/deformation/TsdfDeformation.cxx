@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "deformation/FieldDeformation.h"
+#include "deformation/TsdfDeformation.h"
 
-#include "core/FillInLayers.h"
+#include "core/FillHolesIteratively.h"
 #include "deformation/NonOutlineDeformation.h"
 #include "deformation/OutlineDeformation.h"
-#include "fusion/NovelWalker.h"
+#include "fusion/RayMarcher.h"
 #include "geometry/MeshNeighbours.h"
 #include "geometry/NovelProjection.h"
 #include "geometry/Rasteriser.h"
@@ -183,7 +183,7 @@ class FieldRayDeformer
 {
 public:
   FieldRayDeformer(const TriangleMesh& mesh, const std::vector<std::uint8_t>& active,
-    const Camera& novel, const FieldDeformationOptions& options)
+    const Camera& novel, const TsdfDeformationOptions& options)
     : Mesh(mesh)
     , Active(active)
     , Neighbours(mesh)
@@ -202,9 +202,9 @@ public:
   }
 
   /** The depth of the field's surface on each active point's ray; 0 = it meets none. */
-  void FindSurface(const FusedField& field, double footprint, const Execution& execution)
+  void FindSurface(const TsdfField& field, double footprint, const Execution& execution)
   {
-    const NovelWalker walker(field, this->Novel, BoundingDiagonal(this->Mesh.Points),
+    const RayMarcher marcher(field, this->Novel, BoundingDiagonal(this->Mesh.Points),
       this->Options.Silhouette.StepPx * footprint);
     execution.ForEach(static_cast<std::int64_t>(this->Target.size()),
       [&](std::int64_t ptId)
@@ -218,7 +218,8 @@ public:
             front = std::min(front, this->Start[other]);
           }
           const Vector2d pixel = this->Novel.Project(this->Mesh.Points[ptId]);
-          this->Target[ptId] = walker.Walk(pixel, front - 1.5 * footprint).Surface.value_or(0);
+          this->Target[ptId] =
+            marcher.FindFirstCrossing(pixel, front - 1.5 * footprint).Surface.value_or(0);
         }
       });
   }
@@ -290,7 +291,7 @@ private:
         open.push_back(ptId);
       }
     }
-    FillInLayers(
+    FillHolesIteratively(
       open,
       [&](int ptId)
       {
@@ -343,7 +344,7 @@ private:
   std::vector<std::uint8_t> Active;
   MeshNeighbours Neighbours;
   const Camera& Novel;
-  const FieldDeformationOptions& Options;
+  const TsdfDeformationOptions& Options;
   std::vector<double> Start;  ///< depth before
   std::vector<double> Target; ///< depth of the surface on the ray; 0 = none
   std::vector<double> Goal;   ///< depth to go to
@@ -351,7 +352,7 @@ private:
 
 /** Calls move(fraction) for every iteration, the first with 0, and tells the listener. */
 template <class Move>
-int Iterate(const FieldDeformationOptions& options, DeformationResult& result,
+int Iterate(const TsdfDeformationOptions& options, DeformationResult& result,
   const DeformationListener& listener, const Execution& execution, const Move& move)
 {
   const int iterations = options.Iterations;
@@ -377,9 +378,9 @@ int Iterate(const FieldDeformationOptions& options, DeformationResult& result,
 }
 }
 
-FieldDeformationOptions OptionsForNoise(double noise)
+TsdfDeformationOptions OptionsForNoise(double noise)
 {
-  FieldDeformationOptions options;
+  TsdfDeformationOptions options;
   options.Surface.TruncationPx = std::clamp(2.5 + 4 * noise, 3.0, 6.0);
   options.Surface.SurfacePrior = std::clamp(0.25 * noise, 0.05, 0.3);
   options.Outline.TruncationPx = std::clamp(1.5 + 4 * noise, 2.0, 5.0);
@@ -389,12 +390,12 @@ FieldDeformationOptions OptionsForNoise(double noise)
 
 DeformationResult DeformOutlineByField(const TriangleMesh& mesh,
   const std::vector<std::uint8_t>& visible, const std::vector<View>& views, const Camera& novel,
-  const FieldDeformationOptions& options, const DeformationListener& listener,
+  const TsdfDeformationOptions& options, const DeformationListener& listener,
   const Execution& execution)
 {
   RequireMaps(views);
   const double footprint = FootprintOf(views, mesh);
-  const FusedField field(views, options.Outline, footprint);
+  const TsdfField field(views, options.Outline, footprint);
   const TriangleMesh facing = NovelProjection::FacingPart(mesh, novel);
   const Image<float> silhouette =
     FusedSilhouette(facing, views, field, novel, footprint, options.Silhouette, execution);
@@ -409,12 +410,12 @@ DeformationResult DeformOutlineByField(const TriangleMesh& mesh,
 
 DeformationResult DeformNonOutlineByField(const TriangleMesh& mesh,
   const std::vector<std::uint8_t>& active, const std::vector<View>& views, const Camera& novel,
-  const FieldDeformationOptions& options, const DeformationListener& listener,
+  const TsdfDeformationOptions& options, const DeformationListener& listener,
   const Execution& execution)
 {
   RequireMaps(views);
   const double footprint = FootprintOf(views, mesh);
-  const FusedField field(views, options.Surface, footprint);
+  const TsdfField field(views, options.Surface, footprint);
   FieldRayDeformer deformer(mesh, active, novel, options);
   deformer.FindSurface(field, footprint, execution);
   deformer.Balance(execution);

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef novelview_FieldDeformation_h
-#define novelview_FieldDeformation_h
+#ifndef novelview_TsdfDeformation_h
+#define novelview_TsdfDeformation_h
 
 #include "core/Execution.h"
 #include "core/ImageRef.h"
 #include "deformation/Deformation.h"
-#include "fusion/FusedField.h"
 #include "fusion/FusedSilhouette.h"
+#include "fusion/TsdfField.h"
 #include "geometry/View.h"
 
 #include <vector>
 
 namespace novelview
 {
-struct FieldDeformationOptions
+struct TsdfDeformationOptions
 {
   /** In how many steps the mesh goes there; the last one does not depend on it. */
   int Iterations = 10;
@@ -35,7 +35,7 @@ struct FieldDeformationOptions
  * (DepthNoise): from about 0.15 for sharp photographs and exact cameras to 1 and more for masks and
  * cameras that are off. Truncations, the surface's prior and the contour's smoothing grow with it.
  */
-FieldDeformationOptions OptionsForNoise(double noise);
+TsdfDeformationOptions OptionsForNoise(double noise);
 
 /**
  * The outline step guided by the field: outline points move in the plane through them parallel to
@@ -48,7 +48,7 @@ FieldDeformationOptions OptionsForNoise(double noise);
  */
 DeformationResult DeformOutlineByField(const TriangleMesh& mesh,
   const std::vector<std::uint8_t>& visible, const std::vector<View>& views, const Camera& novel,
-  const FieldDeformationOptions& options = {}, const DeformationListener& listener = {},
+  const TsdfDeformationOptions& options = {}, const DeformationListener& listener = {},
   const Execution& execution = {});
 
 /**
@@ -62,7 +62,7 @@ DeformationResult DeformOutlineByField(const TriangleMesh& mesh,
  */
 DeformationResult DeformNonOutlineByField(const TriangleMesh& mesh,
   const std::vector<std::uint8_t>& active, const std::vector<View>& views, const Camera& novel,
-  const FieldDeformationOptions& options = {}, const DeformationListener& listener = {},
+  const TsdfDeformationOptions& options = {}, const DeformationListener& listener = {},
   const Execution& execution = {});
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef novelview_FillInLayers_h
-#define novelview_FillInLayers_h
+#ifndef novelview_FillHolesIteratively_h
+#define novelview_FillHolesIteratively_h
 
 #include <utility>
 #include <vector>
@@ -13,7 +13,7 @@ namespace novelview
  * done. What no layer reaches is left as it is. The order of `open` does not matter.
  */
 template <class Item, class Fill, class Know>
-void FillInLayers(std::vector<Item> open, const Fill& fill, const Know& know)
+void FillHolesIteratively(std::vector<Item> open, const Fill& fill, const Know& know)
 {
   std::vector<Item> filled;
   do

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef novelview_LatticeCells_h
-#define novelview_LatticeCells_h
+#ifndef novelview_SurfaceNets_h
+#define novelview_SurfaceNets_h
 
 #include "geometry/TriangleMesh.h"
 
@@ -35,7 +35,7 @@ std::vector<int> FindComponents(const std::vector<CellSample>& samples, const So
  * left out: closer than 0.7 spacings with normals within 60 degrees. Cells on a slope lie closer
  * together than the spacing, and what they add to the crust's cost they do not add to its shape.
  */
-std::vector<char> ThinOut(
+std::vector<char> Subsample(
   const std::vector<CellSample>& samples, const SortedCells& cells, double spacing);
 
 /**

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stereo/MatchingVolume.h"
+#include "stereo/CostVolume.h"
 
-#include "stereo/WindowSweep.h"
+#include "stereo/PlaneSweepCost.h"
 
 #include <algorithm>
 
@@ -46,12 +46,12 @@ void MeanOfRanks(
 }
 
 /** Fills one label of the volume; all neighbours side by side, so that only rows are held. */
-void MatchAtLabel(int label, std::vector<WindowSweep>& sweeps,
-  std::vector<std::vector<std::int16_t>>& ranks, int radius, MatchingVolume& volume)
+void MatchAtLabel(int label, std::vector<PlaneSweepCost>& sweeps,
+  std::vector<std::vector<std::int16_t>>& ranks, int radius, CostVolume& volume)
 {
   std::vector<std::int16_t> costs(volume.Box.Width());
   std::vector<float> sums(volume.Box.Width());
-  for (WindowSweep& sweep : sweeps)
+  for (PlaneSweepCost& sweep : sweeps)
   {
     sweep.Start(volume.Labels.Offset(label));
   }
@@ -60,14 +60,14 @@ void MatchAtLabel(int label, std::vector<WindowSweep>& sweeps,
     bool any = false;
     for (auto& rank : ranks)
     {
-      std::fill(rank.begin(), rank.end(), MatchingVolume::Unit);
+      std::fill(rank.begin(), rank.end(), CostVolume::Unit);
     }
-    for (WindowSweep& sweep : sweeps)
+    for (PlaneSweepCost& sweep : sweeps)
     {
       sweep.Enter(y);
       if (y >= radius)
       {
-        std::fill(costs.begin(), costs.end(), MatchingVolume::Unit);
+        std::fill(costs.begin(), costs.end(), CostVolume::Unit);
         if (sweep.Costs(costs.data()))
         {
           KeepLeast(ranks, costs);
@@ -147,24 +147,23 @@ PixelBox BoxOfBase(const Image<float>& base)
   return box;
 }
 
-MatchingVolume MatchNeighbours(const MatchImage& key, const Image<float>& base,
+CostVolume MatchNeighbours(const MatchImage& reference, const Image<float>& base,
   const Image<float>& last, const std::vector<const MatchImage*>& neighbours, const PixelBox& box,
-  const OffsetLabels& labels, const MatchOptions& options, const Execution& execution)
+  const DepthHypotheses& labels, const MatchOptions& options, const Execution& execution)
 {
-  MatchingVolume volume;
+  CostVolume volume;
   volume.Box = box;
   volume.Labels = labels;
   const int width = box.Width();
   const int height = box.Height();
-  volume.Costs.assign(
-    static_cast<std::size_t>(width) * height * labels.Count, MatchingVolume::Unit);
+  volume.Costs.assign(static_cast<std::size_t>(width) * height * labels.Count, CostVolume::Unit);
   const std::size_t best = std::min<std::size_t>(options.BestNeighbours, neighbours.size());
   if (best == 0)
   {
     return volume;
   }
-  const KeyRows rows(key, base, last, box, options.WindowRadius);
-  std::vector<WindowSweep> sweeps;
+  const ReferenceRows rows(reference, base, last, box, options.WindowRadius);
+  std::vector<PlaneSweepCost> sweeps;
   for (const MatchImage* other : neighbours)
   {
     sweeps.emplace_back(rows, *other, options);
@@ -172,7 +171,7 @@ MatchingVolume MatchNeighbours(const MatchImage& key, const Image<float>& base,
   std::vector<std::vector<std::int16_t>> ranks(best, std::vector<std::int16_t>(width));
   for (int label = 0; label < labels.Count; ++label)
   {
-    execution.Tick();
+    execution.CheckCancelled();
     MatchAtLabel(label, sweeps, ranks, options.WindowRadius, volume);
   }
   return volume;

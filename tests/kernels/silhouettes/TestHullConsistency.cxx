@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "silhouettes/HullAgreement.h"
+#include "silhouettes/HullConsistency.h"
 #include "silhouettes/SilhouetteField.h"
 #include "support/Expect.h"
 #include "support/Scene.h"
@@ -47,7 +47,7 @@ double DenseResidual(const std::vector<View>& views, const SilhouetteRay& ray)
 }
 }
 
-TEST(HullAgreement, IsWhatADenseSearchFinds)
+TEST(HullConsistency, IsWhatADenseSearchFinds)
 {
   const std::vector<Photo> photos = BoxPhotos();
   const std::vector<View> views = ViewsOf(photos);
@@ -64,11 +64,11 @@ TEST(HullAgreement, IsWhatADenseSearchFinds)
   }
 }
 
-TEST(HullAgreement, RaysOfAConsistentSetMeetTheHull)
+TEST(HullConsistency, RaysOfAConsistentSetMeetTheHull)
 {
   const std::vector<Photo> photos = BoxPhotos();
   const std::vector<View> views = ViewsOf(photos);
-  for (const RayAgreement& ray : FollowSilhouetteRays(views, RaysOf(views, 60, true)))
+  for (const RayConsistency& ray : FollowSilhouetteRays(views, RaysOf(views, 60, true)))
   {
     // Contours are right to a tenth of a pixel, sampling costs a quarter.
     EXPECT_GT(ray.Residual, -0.4);
@@ -77,12 +77,12 @@ TEST(HullAgreement, RaysOfAConsistentSetMeetTheHull)
   }
 }
 
-TEST(HullAgreement, WithoutAViewIsWhatTheOthersSayAlone)
+TEST(HullConsistency, WithoutAViewIsWhatTheOthersSayAlone)
 {
   std::vector<Photo> photos = BoxPhotos();
   ShrinkSilhouette(photos[4], 5);
   const std::vector<View> views = ViewsOf(photos);
-  AgreementOptions options;
+  HullConsistencyOptions options;
   options.WithoutEach = true;
   const auto rays = ContourRays(views, 0, 40);
   const auto all = FollowSilhouetteRays(views, rays, options);
@@ -102,7 +102,7 @@ TEST(HullAgreement, WithoutAViewIsWhatTheOthersSayAlone)
   EXPECT_GT(freed, 4);
 }
 
-TEST(HullAgreement, CamerasThatLookAwaySeeNoHull)
+TEST(HullConsistency, CamerasThatLookAwaySeeNoHull)
 {
   std::vector<Photo> photos = BoxPhotos();
   for (Photo& photo : photos)
@@ -117,13 +117,13 @@ TEST(HullAgreement, CamerasThatLookAwaySeeNoHull)
     view.Cam = LookAt(view.Cam.Centre(), 2 * view.Cam.Centre(), Vector3d::UnitY(), view.Cam.K,
       view.Cam.Width, view.Cam.Height);
   }
-  for (const RayAgreement& ray : FollowSilhouetteRays(views, RaysOf(views, 20, false)))
+  for (const RayConsistency& ray : FollowSilhouetteRays(views, RaysOf(views, 20, false)))
   {
     EXPECT_EQ(ray.Residual, -16);
   }
 }
 
-TEST(HullAgreement, WhatLeavesAFrameIsUnknownThereAndNowhereElse)
+TEST(HullConsistency, WhatLeavesAFrameIsUnknownThereAndNowhereElse)
 {
   std::vector<Photo> photos = BoxPhotos();
   // The lower half of one picture is cut off: the object goes on below its frame.
@@ -134,7 +134,7 @@ TEST(HullAgreement, WhatLeavesAFrameIsUnknownThereAndNowhereElse)
   cut.Mask = mask;
   cut.ContourDistance = SignedContourDistance(std::as_const(cut.Mask).Ref());
   std::vector<View> views = ViewsOf(photos);
-  for (const RayAgreement& ray : FollowSilhouetteRays(views, RaysOf(views, 40, false)))
+  for (const RayConsistency& ray : FollowSilhouetteRays(views, RaysOf(views, 40, false)))
   {
     EXPECT_GT(ray.Residual, -0.5);
   }
@@ -146,7 +146,7 @@ TEST(HullAgreement, WhatLeavesAFrameIsUnknownThereAndNowhereElse)
   cut.ContourDistance = SignedContourDistance(std::as_const(cut.Mask).Ref());
   views = ViewsOf(photos);
   int against = 0;
-  for (const RayAgreement& ray : FollowSilhouetteRays(views, AreaRays(views, 0, 100)))
+  for (const RayConsistency& ray : FollowSilhouetteRays(views, AreaRays(views, 0, 100)))
   {
     against += ray.Residual < -1;
   }
@@ -154,11 +154,11 @@ TEST(HullAgreement, WhatLeavesAFrameIsUnknownThereAndNowhereElse)
   EXPECT_GT(against, 40);
 }
 
-TEST(HullAgreement, SameBitsHoweverTheRaysAreSplit)
+TEST(HullConsistency, SameBitsHoweverTheRaysAreSplit)
 {
   const std::vector<Photo> photos = BoxPhotos();
   const std::vector<View> views = ViewsOf(photos);
-  AgreementOptions options;
+  HullConsistencyOptions options;
   options.WithoutEach = true;
   Execution threads;
   threads.ParallelFor = [](std::int64_t count, const Execution::RangeBody& body)
@@ -178,7 +178,7 @@ TEST(HullAgreement, SameBitsHoweverTheRaysAreSplit)
   }
 }
 
-TEST(HullAgreement, RaysLieWhereTheyShould)
+TEST(HullConsistency, RaysLieWhereTheyShould)
 {
   const std::vector<Photo> photos{ BoxPhotos().front() };
   const std::vector<View> views = ViewsOf(photos);
@@ -196,7 +196,7 @@ TEST(HullAgreement, RaysLieWhereTheyShould)
   }
 }
 
-TEST(HullAgreement, AStopIsHeardAmongTheRays)
+TEST(HullConsistency, AStopIsHeardAmongTheRays)
 {
   const std::vector<Photo> photos = BoxPhotos();
   const std::vector<View> views = ViewsOf(photos);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/Photographer.h"
+#include "generator/SyntheticRenderer.h"
 
 #include "ViewAccess.h"
 #include "core/Error.h"
@@ -66,7 +66,7 @@ void Downsample(
 }
 
 //------------------------------------------------------------------------------
-class Photographer::Internals
+class SyntheticRenderer::Internals
 {
 public:
   vtkSmartPointer<vtkPolyData> Mesh;
@@ -122,44 +122,44 @@ public:
 };
 
 //------------------------------------------------------------------------------
-Photographer::Photographer(vtkPolyData* mesh, const SurfaceLook& look, int supersampling)
-  : Own(std::make_unique<Internals>())
+SyntheticRenderer::SyntheticRenderer(vtkPolyData* mesh, const SurfaceLook& look, int supersampling)
+  : Impl(std::make_unique<Internals>())
 {
-  this->Own->Mesh = mesh;
-  this->Own->Actor = NewTexturedActor(mesh, look, this->Own->Centre.data());
-  this->Own->Scale = supersampling;
-  this->Own->Renderer->SetBackground(0, 0, 0);
-  this->Own->Renderer->AddActor(this->Own->Actor);
-  this->Own->OpenWindow(8, 8);
+  this->Impl->Mesh = mesh;
+  this->Impl->Actor = NewTexturedActor(mesh, look, this->Impl->Centre.data());
+  this->Impl->Scale = supersampling;
+  this->Impl->Renderer->SetBackground(0, 0, 0);
+  this->Impl->Renderer->AddActor(this->Impl->Actor);
+  this->Impl->OpenWindow(8, 8);
 }
 
 //------------------------------------------------------------------------------
-Photographer::~Photographer()
+SyntheticRenderer::~SyntheticRenderer()
 {
-  this->Own->CloseWindow();
+  this->Impl->CloseWindow();
 }
 
 //------------------------------------------------------------------------------
-const std::string& Photographer::RendererName() const
+const std::string& SyntheticRenderer::RendererName() const
 {
-  return this->Own->Name;
+  return this->Impl->Name;
 }
 
 //------------------------------------------------------------------------------
-RenderedPhotograph Photographer::Take(const Camera& camera, double shadow)
+RenderedPhotograph SyntheticRenderer::Take(const Camera& camera, double shadow)
 {
   ValidateCamera(camera, "photograph");
-  const std::array<double, 2> range = this->Own->DepthRange(camera);
-  SetShadow(this->Own->Actor, shadow);
+  const std::array<double, 2> range = this->Impl->DepthRange(camera);
+  SetShadow(this->Impl->Actor, shadow);
 
-  const int tileSide = std::max(1, TileSamples / this->Own->Scale);
+  const int tileSide = std::max(1, TileSamples / this->Impl->Scale);
   const int tileWidth = std::min(tileSide, camera.Width);
   const int tileHeight = std::min(tileSide, camera.Height);
-  this->Own->OpenWindow(tileWidth, tileHeight);
+  this->Impl->OpenWindow(tileWidth, tileHeight);
 
   // The actor's geometry has the box's centre as its origin, so the camera moves along.
   Camera centred = camera;
-  centred.T = camera.ToCamera(this->Own->Centre);
+  centred.T = camera.ToCamera(this->Impl->Centre);
   RenderedPhotograph photograph;
   photograph.Color = Image<std::uint8_t>(camera.Width, camera.Height, 3);
   photograph.Coverage = Image<std::uint8_t>(camera.Width, camera.Height, 1);
@@ -167,11 +167,11 @@ RenderedPhotograph Photographer::Take(const Camera& camera, double shadow)
   {
     for (int x0 = 0; x0 < camera.Width; x0 += tileWidth)
     {
-      NewPinholeCamera(TileCamera(centred, x0, y0, tileWidth, tileHeight, this->Own->Scale))
-        ->CopyToVTKCamera(this->Own->Renderer->GetActiveCamera(), range[0], range[1]);
-      vtkSmartPointer<vtkImageData> samples = this->Own->Window->Capture(/*withAlpha=*/true);
+      NewPinholeCamera(TileCamera(centred, x0, y0, tileWidth, tileHeight, this->Impl->Scale))
+        ->CopyToVTKCamera(this->Impl->Renderer->GetActiveCamera(), range[0], range[1]);
+      vtkSmartPointer<vtkImageData> samples = this->Impl->Window->Capture(/*withAlpha=*/true);
       Downsample(TopDownArray<const std::uint8_t>(samples, arrays::Color, 4, "photograph", true),
-        this->Own->Scale, x0, y0, photograph);
+        this->Impl->Scale, x0, y0, photograph);
     }
   }
   return photograph;

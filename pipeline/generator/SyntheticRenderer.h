@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef novelview_Photographer_h
-#define novelview_Photographer_h
+#ifndef novelview_SyntheticRenderer_h
+#define novelview_SyntheticRenderer_h
 
 #include "core/ImageRef.h"
 #include "drawing/SolidTexture.h"
@@ -25,12 +25,12 @@ struct RenderedPhotograph
  * supersampling^2 samples spread evenly over [u - 0.5, u + 0.5) x [v - 0.5, v + 0.5), rendered by
  * VTK through OSMesa. The picture is rendered in tiles, so that any size needs little memory.
  */
-class Photographer
+class SyntheticRenderer
 {
 public:
   /** Throws Error on an unknown texture, and when nothing can be rendered. */
-  Photographer(vtkPolyData* mesh, const SurfaceLook& look, int supersampling);
-  ~Photographer();
+  SyntheticRenderer(vtkPolyData* mesh, const SurfaceLook& look, int supersampling);
+  ~SyntheticRenderer();
 
   /**
    * Throws Error when the camera is no camera or does not have the whole object in front of it.
@@ -43,7 +43,7 @@ public:
 
 private:
   class Internals;
-  std::unique_ptr<Internals> Own;
+  std::unique_ptr<Internals> Impl;
 };
 }
 

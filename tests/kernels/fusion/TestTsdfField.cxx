@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fusion/FusedField.h"
+#include "fusion/TsdfField.h"
 #include "support/Expect.h"
 #include "support/Scene.h"
 
@@ -44,34 +44,34 @@ struct TwoMaps
   const FlatMap A{ 2.f, 0.5f };
   const FlatMap B{ 2.02f, 0.25f, 0.1 };
   const std::vector<View> Views{ A.AsView(), B.AsView() };
-  const FusedField Field{ Views, {}, Footprint };
+  const TsdfField Field{ Views, {}, Footprint };
 
-  static void ExpectVotes(const FusedField& field, double expectedF, double expectedW)
+  static void ExpectVotes(const TsdfField& field, double expectedF, double expectedW)
   {
     double f = 0;
     double w = 0;
-    EXPECT_TRUE(field.Vote(Vector3d(0, 0, 2), f, w));
+    EXPECT_TRUE(field.Accumulate(Vector3d(0, 0, 2), f, w));
     EXPECT_NEAR(f, expectedF, 1e-6);
     EXPECT_NEAR(w, expectedW, 1e-6);
   }
 };
 
-FusedField::RayResult WalkAlongZ(const FusedField& field, double from, double to)
+TsdfField::RayResult CrossingAlongZ(const TsdfField& field, double from, double to)
 {
-  return field.Walk(Vector3d::Zero(), Vector3d::UnitZ(), from, to, Footprint);
+  return field.FindFirstCrossing(Vector3d::Zero(), Vector3d::UnitZ(), from, to, Footprint);
 }
 }
 
-TEST(FusedField, VotesByHand)
+TEST(TsdfField, VotesByHand)
 {
   const FlatMap map(2.f, 0.5f);
   const std::vector<View> views{ map.AsView() };
-  const FusedField field(views, {}, Footprint); // tau = 5 footprints = 0.05
+  const TsdfField field(views, {}, Footprint); // tau = 5 footprints = 0.05
   const auto vote = [&](double z, double expectedF, double expectedW)
   {
     double f = 9;
     double w = 9;
-    EXPECT_TRUE(field.Vote(Vector3d(0, 0, z), f, w));
+    EXPECT_TRUE(field.Accumulate(Vector3d(0, 0, z), f, w));
     EXPECT_NEAR(f, expectedF, 1e-6) << "z = " << z;
     EXPECT_NEAR(w, expectedW, 1e-6) << "z = " << z;
   };
@@ -81,19 +81,19 @@ TEST(FusedField, VotesByHand)
   vote(2.06, 0, 0);      // hidden: says nothing
 }
 
-TEST(FusedField, ConfidencesAddUpOverTheViews)
+TEST(TsdfField, ConfidencesAddUpOverTheViews)
 {
   const TwoMaps maps;
   TwoMaps::ExpectVotes(maps.Field, 0.25 * 0.4, 0.75); // A: on the surface, B: 0.02 in front of it
 }
 
-TEST(FusedField, OfSomeViewsOnlyTheyVote)
+TEST(TsdfField, OfSomeViewsOnlyTheyVote)
 {
   const TwoMaps maps;
   TwoMaps::ExpectVotes(maps.Field.Of({ 1 }), 0.25 * 0.4, 0.25); // B alone: 0.02 in front of it
 }
 
-TEST(FusedField, WithoutTextureDepthsCountLessAtGrazingIncidence)
+TEST(TsdfField, WithoutTextureDepthsCountLessAtGrazingIncidence)
 {
   // Three footprints deeper per pixel to the right: cos = 1 / sqrt(1 + 3^2).
   const auto weight = [](float confidence, double slope, double discount)
@@ -112,9 +112,10 @@ TEST(FusedField, WithoutTextureDepthsCountLessAtGrazingIncidence)
     FusionOptions options;
     options.GrazingDiscount = discount;
     // A ray of one sample, far in front of the surface: clearance tau (w - wm) / (w + wm).
-    const auto passage = FusedField(views, options, Footprint)
-                           .Pass(Vector3d::Zero(), Vector3d::UnitZ(), 1.9, 1.9, 1e-9);
-    const double share = passage.Clearance / options.TruncationPx;
+    const auto approach =
+      TsdfField(views, options, Footprint)
+        .FindClosestApproach(Vector3d::Zero(), Vector3d::UnitZ(), 1.9, 1.9, 1e-9);
+    const double share = approach.SignedDistance / options.TruncationPx;
     return options.SilhouettePrior * (1 + share) / (1 - share);
   };
   const double grazing = 1 - 1 / std::sqrt(10.0);
@@ -125,66 +126,68 @@ TEST(FusedField, WithoutTextureDepthsCountLessAtGrazingIncidence)
   EXPECT_NEAR(weight(1.0f, 3, 1), 1, 1e-6) << "texture holds it";
 }
 
-TEST(FusedField, OutsideASilhouetteIsFree)
+TEST(TsdfField, OutsideASilhouetteIsFree)
 {
   FlatMap map(2.f, 1.f);
   map.Distance = Image<float>(160, 120, 1, -4.f);
   const std::vector<View> views{ map.AsView() };
-  const FusedField field(views, {}, Footprint);
+  const TsdfField field(views, {}, Footprint);
   double f = 0;
   double w = 0;
-  EXPECT_FALSE(field.Vote(Vector3d(0, 0, 3), f, w));
-  const auto met = WalkAlongZ(field, 1, 3);
+  EXPECT_FALSE(field.Accumulate(Vector3d(0, 0, 3), f, w));
+  const auto met = CrossingAlongZ(field, 1, 3);
   EXPECT_FALSE(met.Surface);
-  EXPECT_EQ(met.Least, 1);
+  EXPECT_EQ(met.Min, 1);
 }
 
-TEST(FusedField, WhereNobodySeesAnythingItIsSolid)
+TEST(TsdfField, WhereNobodySeesAnythingItIsSolid)
 {
   FlatMap map(0.f, 0.f); // unknown depths
   const std::vector<View> views{ map.AsView() };
-  const FusedField field(views, {}, Footprint);
-  const auto met = WalkAlongZ(field, 1, 3);
+  const TsdfField field(views, {}, Footprint);
+  const auto met = CrossingAlongZ(field, 1, 3);
   ASSERT_TRUE(met.Surface);
   EXPECT_DOUBLE_EQ(*met.Surface, 1) << "the ray begins in the solid";
-  EXPECT_LT(met.Least, 0);
-  const auto behindAllCameras = field.Walk(Vector3d::Zero(), -Vector3d::UnitZ(), 1, 2, Footprint);
+  EXPECT_LT(met.Min, 0);
+  const auto behindAllCameras =
+    field.FindFirstCrossing(Vector3d::Zero(), -Vector3d::UnitZ(), 1, 2, Footprint);
   EXPECT_TRUE(behindAllCameras.Surface);
 }
 
-TEST(FusedField, TheSurfaceLiesWhereTheVoteEqualsThePrior)
+TEST(TsdfField, TheSurfaceLiesWhereTheVoteEqualsThePrior)
 {
   const FlatMap map(2.f, 0.5f);
   const std::vector<View> views{ map.AsView() };
   FusionOptions options;
-  const auto met = WalkAlongZ(FusedField(views, options, Footprint), 1.5, 2.5);
+  const auto met = CrossingAlongZ(TsdfField(views, options, Footprint), 1.5, 2.5);
   ASSERT_TRUE(met.Surface);
   // 0.5 s / tau = w0: s = 0.015. Six halvings of a step of one footprint.
   EXPECT_NEAR(*met.Surface, 2 - 0.05 * options.SurfacePrior / 0.5, Footprint / 64);
-  EXPECT_LT(met.Least, 0);
+  EXPECT_LT(met.Min, 0);
 }
 
-TEST(FusedField, ARayThroughEmptySpaceMeetsNothing)
+TEST(TsdfField, ARayThroughEmptySpaceMeetsNothing)
 {
   const FlatMap map(2.f, 0.5f);
   const std::vector<View> views{ map.AsView() };
-  const auto met = WalkAlongZ(FusedField(views, {}, Footprint), 1, 1.9);
+  const auto met = CrossingAlongZ(TsdfField(views, {}, Footprint), 1, 1.9);
   EXPECT_FALSE(met.Surface);
-  EXPECT_GT(met.Least, 0);
+  EXPECT_GT(met.Min, 0);
 }
 
-TEST(FusedField, ARayAlongAWallPassesAtItsDistance)
+TEST(TsdfField, ARayAlongAWallPassesAtItsDistance)
 {
   const FlatMap map(2.f, 0.5f);
   const std::vector<View> views{ map.AsView() };
   FusionOptions options;
   options.SilhouettePrior = 0; // the prior would shift it by tau w0m / (W + w0m)
-  const FusedField field(views, options, Footprint);
+  const TsdfField field(views, options, Footprint);
   const auto clearance = [&](double offPx)
   {
     return field
-      .Pass(Vector3d(-0.3, 0, 2 - offPx * Footprint), Vector3d::UnitX(), 0, 0.6, Footprint)
-      .Clearance;
+      .FindClosestApproach(
+        Vector3d(-0.3, 0, 2 - offPx * Footprint), Vector3d::UnitX(), 0, 0.6, Footprint)
+      .SignedDistance;
   };
   for (const double offPx : { -4.5, -1.0, -0.25, 0.0, 0.25, 1.0, 4.5 })
   {
@@ -194,28 +197,30 @@ TEST(FusedField, ARayAlongAWallPassesAtItsDistance)
   EXPECT_EQ(clearance(-7), -options.TruncationPx);
 }
 
-TEST(FusedField, ThePriorDrawsTheClearanceInwards)
+TEST(TsdfField, ThePriorDrawsTheSignedDistanceInwards)
 {
   const FlatMap map(2.f, 0.5f);
   const std::vector<View> views{ map.AsView() };
   const FusionOptions options;
   // Begun outside the silhouettes' chord, so that the prior is the plain one at the first sample.
-  const auto passage = FusedField(views, options, Footprint)
-                         .Pass(Vector3d(0, 0, 1.98), Vector3d::UnitX(), 0, 1e-9, 1e-6);
+  const auto approach =
+    TsdfField(views, options, Footprint)
+      .FindClosestApproach(Vector3d(0, 0, 1.98), Vector3d::UnitX(), 0, 1e-9, 1e-6);
   const double wm = options.SilhouettePrior;
-  EXPECT_NEAR(passage.Clearance, 5 * (0.5 * 0.4 - wm) / (0.5 + wm), 1e-3);
+  EXPECT_NEAR(approach.SignedDistance, 5 * (0.5 * 0.4 - wm) / (0.5 + wm), 1e-3);
 }
 
-TEST(FusedField, ARayParallelToAnAxisBesideAllMapsMeetsNothing)
+TEST(TsdfField, ARayParallelToAnAxisBesideAllMapsMeetsNothing)
 {
   // Behind the wall, within the silhouettes: nobody sees the place, but no map reaches there.
   const FlatMap map(2.f, 0.5f);
   const std::vector<View> views{ map.AsView() };
-  const FusedField field(views, {}, Footprint);
+  const TsdfField field(views, {}, Footprint);
   const Vector3d origin(-0.3, 0, 2.3);
-  EXPECT_FALSE(field.Walk(origin, Vector3d::UnitX(), 0, 0.6, Footprint).Surface);
-  EXPECT_EQ(field.Walk(origin, Vector3d::UnitX(), 0, 0.6, Footprint).Least, 1);
-  EXPECT_EQ(field.Pass(origin, Vector3d::UnitX(), 0, 0.6, Footprint).Clearance, 5);
+  EXPECT_FALSE(field.FindFirstCrossing(origin, Vector3d::UnitX(), 0, 0.6, Footprint).Surface);
+  EXPECT_EQ(field.FindFirstCrossing(origin, Vector3d::UnitX(), 0, 0.6, Footprint).Min, 1);
+  EXPECT_EQ(
+    field.FindClosestApproach(origin, Vector3d::UnitX(), 0, 0.6, Footprint).SignedDistance, 5);
   EXPECT_TRUE(std::isinf(field.PriorNeeded(origin, Vector3d::UnitX(), 0, 0.6, Footprint, 0)));
 }
 
@@ -263,47 +268,50 @@ struct PassingRay
       std::cos(about) * camera.R.row(0).transpose() + std::sin(about) * camera.R.row(1).transpose();
     this->Direction = sine * sideways - std::sqrt(1 - sine * sine) * this->Origin.normalized();
   }
-  FusedField::Passage Pass(const FusedField& field) const
+  TsdfField::ClosestApproach FindClosestApproach(const TsdfField& field) const
   {
-    return field.Pass(this->Origin, this->Direction, 3.3, 4.7, 2 * Footprint);
+    return field.FindClosestApproach(this->Origin, this->Direction, 3.3, 4.7, 2 * Footprint);
   }
   Vector3d Origin;
   Vector3d Direction;
 };
 
 void ExpectNothingMet(
-  const FusedField& field, const Vector3d& origin, const Vector3d& direction, double to)
+  const TsdfField& field, const Vector3d& origin, const Vector3d& direction, double to)
 {
-  const auto met = field.Walk(origin, direction, 0.1, to, 2 * Footprint);
+  const auto met = field.FindFirstCrossing(origin, direction, 0.1, to, 2 * Footprint);
   EXPECT_FALSE(met.Surface);
-  EXPECT_EQ(met.Least, 1);
-  EXPECT_EQ(field.Pass(origin, direction, 0.1, to, 2 * Footprint).Clearance, Short.TruncationPx);
+  EXPECT_EQ(met.Min, 1);
+  EXPECT_EQ(field.FindClosestApproach(origin, direction, 0.1, to, 2 * Footprint).SignedDistance,
+    Short.TruncationPx);
   EXPECT_TRUE(std::isinf(field.PriorNeeded(origin, direction, 0.1, to, 2 * Footprint, 0)));
 }
 }
 
-TEST(FusedField, RaysPassABallOnTheRightSide)
+TEST(TsdfField, RaysPassABallOnTheRightSide)
 {
   const auto views = TheBall().Views();
-  const FusedField field(views, Short, Footprint);
+  const TsdfField field(views, Short, Footprint);
   for (double aboutDeg = 0; aboutDeg < 360; aboutDeg += 30)
   {
     for (const double offPx : { 0.5, 1.0, 3.0 })
     {
-      EXPECT_GT(PassingRay(15, offPx, aboutDeg).Pass(field).Clearance, 0.2)
+      EXPECT_GT(PassingRay(15, offPx, aboutDeg).FindClosestApproach(field).SignedDistance, 0.2)
         << offPx << " at " << aboutDeg;
-      EXPECT_LT(PassingRay(15, -offPx, aboutDeg).Pass(field).Clearance, -0.2)
+      EXPECT_LT(PassingRay(15, -offPx, aboutDeg).FindClosestApproach(field).SignedDistance, -0.2)
         << -offPx << " at " << aboutDeg;
     }
-    EXPECT_EQ(PassingRay(15, 6, aboutDeg).Pass(field).Clearance, Short.TruncationPx);
-    EXPECT_EQ(PassingRay(15, -12, aboutDeg).Pass(field).Clearance, -Short.TruncationPx);
+    EXPECT_EQ(
+      PassingRay(15, 6, aboutDeg).FindClosestApproach(field).SignedDistance, Short.TruncationPx);
+    EXPECT_EQ(
+      PassingRay(15, -12, aboutDeg).FindClosestApproach(field).SignedDistance, -Short.TruncationPx);
   }
 }
 
-TEST(FusedField, TheClearanceOfABallIsZeroAtItsRim)
+TEST(TsdfField, TheSignedDistanceOfABallIsZeroAtItsSilhouette)
 {
   const auto views = TheBall().Views();
-  const FusedField field(views, Short, Footprint);
+  const TsdfField field(views, Short, Footprint);
   double sum = 0;
   for (double aboutDeg = 0; aboutDeg < 360; aboutDeg += 10)
   {
@@ -312,7 +320,9 @@ TEST(FusedField, TheClearanceOfABallIsZeroAtItsRim)
     for (int halving = 0; halving < 8; ++halving)
     {
       const double middle = 0.5 * (low + high);
-      (PassingRay(15, middle, aboutDeg).Pass(field).Clearance > 0 ? high : low) = middle;
+      (PassingRay(15, middle, aboutDeg).FindClosestApproach(field).SignedDistance > 0 ? high
+                                                                                      : low) =
+        middle;
     }
     sum += low;
     EXPECT_LT(std::abs(low), 0.4) << aboutDeg;
@@ -320,10 +330,10 @@ TEST(FusedField, TheClearanceOfABallIsZeroAtItsRim)
   EXPECT_LT(std::abs(sum / 36), 0.15);
 }
 
-TEST(FusedField, WithoutVotesTheSilhouettesBoundTheRay)
+TEST(TsdfField, WithoutVotesTheSilhouettesBoundTheRay)
 {
   const auto views = TheBall().Views(false);
-  const FusedField field(views, Short, Footprint);
+  const TsdfField field(views, Short, Footprint);
   // Seen from a photograph's own place, its contour is the nearest of all where the ray touches the
   // ball: the others' planes are turned by 30 degrees and more.
   const Photo& own = TheBall().Photos[1];
@@ -332,22 +342,23 @@ TEST(FusedField, WithoutVotesTheSilhouettesBoundTheRay)
     const PassingRay ray(30, offPx, 0);
     const Vector2d pixel = own.Cam.Project(ray.Origin + 4 * ray.Direction);
     const double contour = SampleBilinear(own.ContourDistance.Ref(), pixel.x(), pixel.y());
-    EXPECT_NEAR(ray.Pass(field).Clearance, -contour, 0.01) << offPx; // rounding of one projection
+    EXPECT_NEAR(ray.FindClosestApproach(field).SignedDistance, -contour, 0.01)
+      << offPx; // rounding of one projection
   }
-  EXPECT_EQ(PassingRay(30, -5, 0).Pass(field).Clearance, -Short.TruncationPx);
-  EXPECT_EQ(PassingRay(30, 5, 0).Pass(field).Clearance, Short.TruncationPx);
+  EXPECT_EQ(PassingRay(30, -5, 0).FindClosestApproach(field).SignedDistance, -Short.TruncationPx);
+  EXPECT_EQ(PassingRay(30, 5, 0).FindClosestApproach(field).SignedDistance, Short.TruncationPx);
   // Half-way between two photographs the hull's corner stands out by R (1 / cos 15 - 1) = 1.76.
   // (The photographs opposite, which see the same contour, left out.)
   const std::vector<View> front{ views[10], views[11], views[0], views[1], views[2], views[3] };
-  const FusedField hull(front, Short, Footprint);
-  EXPECT_LT(PassingRay(15, 1.2, 0).Pass(hull).Clearance, -0.2);
-  EXPECT_GT(PassingRay(15, 2.3, 0).Pass(hull).Clearance, 0.2);
+  const TsdfField hull(front, Short, Footprint);
+  EXPECT_LT(PassingRay(15, 1.2, 0).FindClosestApproach(hull).SignedDistance, -0.2);
+  EXPECT_GT(PassingRay(15, 2.3, 0).FindClosestApproach(hull).SignedDistance, 0.2);
 }
 
-TEST(FusedField, FarBehindTheObjectWhereNoCameraSeesThereIsNothing)
+TEST(TsdfField, FarBehindTheObjectWhereNoCameraSeesThereIsNothing)
 {
   const auto views = TheBall().Views();
-  const FusedField field(views, Short, Footprint);
+  const TsdfField field(views, Short, Footprint);
   // Past the ball and up, out of every frame.
   const Vector3d origin(0, -0.9, 4);
   const Vector3d direction = Vector3d(0, 1.62, -4).normalized();
@@ -359,14 +370,14 @@ TEST(FusedField, FarBehindTheObjectWhereNoCameraSeesThereIsNothing)
   ExpectNothingMet(field, origin, direction, 12);
 }
 
-TEST(FusedField, ARayThroughTheObjectMeetsItHoweverFarItGoes)
+TEST(TsdfField, ARayThroughTheObjectMeetsItHoweverFarItGoes)
 {
   const auto views = TheBall().Views();
-  const FusedField field(views, Short, Footprint);
+  const TsdfField field(views, Short, Footprint);
   const PassingRay ray(15, -20, 0);
-  const auto met = field.Walk(ray.Origin, ray.Direction, 0.1, 12, 2 * Footprint);
+  const auto met = field.FindFirstCrossing(ray.Origin, ray.Direction, 0.1, 12, 2 * Footprint);
   ASSERT_TRUE(met.Surface);
-  EXPECT_LT(met.Least, 0);
+  EXPECT_LT(met.Min, 0);
   // Half a pixel of a depth map is a third of a footprint of depth there; the prior takes less.
   EXPECT_NEAR((ray.Origin + *met.Surface * ray.Direction).norm(), 0.5, 0.5 * Footprint);
   EXPECT_EQ(field.PriorNeeded(ray.Origin, ray.Direction, 0.1, 12, 2 * Footprint, 0), 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "video/FramePlan.h"
+#include "video/CameraTrajectory.h"
 
 #include "base/JsonFile.h"
 #include "base/NumberText.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hull/LatticeCells.h"
+#include "hull/SurfaceNets.h"
 
 #include "core/DisjointSets.h"
 
@@ -21,7 +21,7 @@ std::uint64_t KeyOf(const Vector3i& cell)
 }
 
 /** Samples of like normals are this far apart at least, in spacings; along the lattice it is 1. */
-constexpr double LeastDistance = 0.7;
+constexpr double MinDistance = 0.7;
 
 /** Normals are alike up to 60 degrees: the two sides of a thin sheet are not. */
 constexpr double LikeCosine = 0.5;
@@ -112,10 +112,10 @@ std::vector<int> FindComponents(const std::vector<CellSample>& samples, const So
 }
 
 //------------------------------------------------------------------------------
-std::vector<char> ThinOut(
+std::vector<char> Subsample(
   const std::vector<CellSample>& samples, const SortedCells& cells, double spacing)
 {
-  const double least = LeastDistance * spacing;
+  const double least = MinDistance * spacing;
   std::vector<char> stays(samples.size(), 1);
   ForEachTouching(samples, cells,
     [&](int sample, int other)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef novelview_NovelWalker_h
-#define novelview_NovelWalker_h
+#ifndef novelview_RayMarcher_h
+#define novelview_RayMarcher_h
 
-#include "fusion/FusedField.h"
+#include "fusion/TsdfField.h"
 #include "geometry/Camera.h"
 
 #include <algorithm>
@@ -10,11 +10,11 @@
 namespace novelview
 {
 /** Follows the rays of a novel camera through a fused field; parameters are depths in the camera. */
-class NovelWalker
+class RayMarcher
 {
 public:
   /** @param reach how far rays are followed at most; @param step between samples; world units. */
-  NovelWalker(const FusedField& field, const Camera& novel, double reach, double step)
+  RayMarcher(const TsdfField& field, const Camera& novel, double reach, double step)
     : Field(field)
     , Novel(novel)
     , Centre(novel.Centre())
@@ -23,16 +23,17 @@ public:
   {
   }
 
-  FusedField::RayResult Walk(const Eigen::Vector2d& pixel, double frontDepth) const
+  TsdfField::RayResult FindFirstCrossing(const Eigen::Vector2d& pixel, double frontDepth) const
   {
-    return this->Field.Walk(this->Centre, this->Direction(pixel), this->From(frontDepth),
-      frontDepth + this->Reach, this->Step);
+    return this->Field.FindFirstCrossing(this->Centre, this->Direction(pixel),
+      this->From(frontDepth), frontDepth + this->Reach, this->Step);
   }
 
-  FusedField::Passage Pass(const Eigen::Vector2d& pixel, double frontDepth) const
+  TsdfField::ClosestApproach FindClosestApproach(
+    const Eigen::Vector2d& pixel, double frontDepth) const
   {
-    return this->Field.Pass(this->Centre, this->Direction(pixel), this->From(frontDepth),
-      frontDepth + this->Reach, this->Step);
+    return this->Field.FindClosestApproach(this->Centre, this->Direction(pixel),
+      this->From(frontDepth), frontDepth + this->Reach, this->Step);
   }
 
 private:
@@ -42,7 +43,7 @@ private:
   }
   double From(double frontDepth) const { return std::max(frontDepth, this->Step); }
 
-  const FusedField& Field;
+  const TsdfField& Field;
   const Camera& Novel;
   const Eigen::Vector3d Centre;
   const double Reach;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef novelview_SharedWork_h
-#define novelview_SharedWork_h
+#ifndef novelview_WorkDistributor_h
+#define novelview_WorkDistributor_h
 
 #include "base/Console.h"
 #include "processes/ProcessGroup.h"
@@ -16,11 +16,11 @@ namespace novelview
  * shared out, each process with its share of the threads. The console hears the same in the same
  * order as from one process.
  */
-class SharedWork
+class WorkDistributor
 {
 public:
   /** `threads` of this process; 0 = its share of the machine. */
-  SharedWork(Console& console, ProcessGroup& processes, int threads);
+  WorkDistributor(Console& console, ProcessGroup& processes, int threads);
 
   /** Whether this process reads the photographs, writes the files and tells the user. */
   bool Writes() const { return this->Processes.Rank() == 0; }
@@ -46,7 +46,7 @@ private:
   Console& Con;
   ProcessGroup& Processes;
   int Threads;
-  std::vector<WorkNote> Notes; ///< of the item in the making
+  std::vector<LogRecord> Notes; ///< of the item in the making
   bool Noting = false;
 };
 

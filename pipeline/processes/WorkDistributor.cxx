@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "processes/SharedWork.h"
+#include "processes/WorkDistributor.h"
 
 #include "ViewAccess.h"
 #include "base/Parallel.h"
@@ -9,7 +9,7 @@
 
 namespace novelview
 {
-SharedWork::SharedWork(Console& console, ProcessGroup& processes, int threads)
+WorkDistributor::WorkDistributor(Console& console, ProcessGroup& processes, int threads)
   : Con(console)
   , Processes(processes)
   , Threads(threads > 0 ? threads : processes.ThreadsHere())
@@ -18,7 +18,7 @@ SharedWork::SharedWork(Console& console, ProcessGroup& processes, int threads)
   LimitThreads(threads);
 }
 
-SynthesisListener SharedWork::Listener()
+SynthesisListener WorkDistributor::Listener()
 {
   SynthesisListener listener;
   listener.Progress = [this](const std::string& stage, double fraction)
@@ -55,14 +55,14 @@ SynthesisListener SharedWork::Listener()
   return listener;
 }
 
-std::unique_ptr<Synthesis> SharedWork::Prepare(
+std::unique_ptr<Synthesis> WorkDistributor::Prepare(
   vtkMultiBlockDataSet* views, const SynthesisOptions& options)
 {
   if (!this->Together())
   {
     return std::make_unique<Synthesis>(views, options, this->Listener());
   }
-  ViewIndependent results;
+  SceneGeometry results;
   std::unique_ptr<Synthesis> synthesis;
   if (this->Writes())
   {
@@ -74,15 +74,15 @@ std::unique_ptr<Synthesis> SharedWork::Prepare(
                    : std::make_unique<Synthesis>(results, options, this->Listener());
 }
 
-vtkSmartPointer<vtkMultiBlockDataSet> SharedWork::Share(vtkMultiBlockDataSet* views)
+vtkSmartPointer<vtkMultiBlockDataSet> WorkDistributor::Share(vtkMultiBlockDataSet* views)
 {
-  ViewIndependent results;
+  SceneGeometry results;
   results.Views = views;
   this->Processes.Share(results);
   return results.Views;
 }
 
-void SharedWork::ForEach(
+void WorkDistributor::ForEach(
   std::size_t count, const ProcessGroup::Make& make, const ProcessGroup::Take& take)
 {
   if (this->Together())
@@ -105,7 +105,7 @@ void SharedWork::ForEach(
     },
     [&](std::size_t item, const WorkResult& result)
     {
-      for (const WorkNote& note : result.Notes)
+      for (const LogRecord& note : result.Notes)
       {
         note.Seconds < 0 ? this->Con.Warn(note.Text) : this->Con.StageDone(note.Text, note.Seconds);
       }

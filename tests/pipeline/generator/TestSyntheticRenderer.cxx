@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/Photographer.h"
+#include "generator/SyntheticRenderer.h"
 
 #include "mesh/ObjectMesh.h"
 #include "support/MessageOf.h"
@@ -61,7 +61,7 @@ Vector2d Centroid(const Image<std::uint8_t>& coverage, const Vector2d& around, i
   return sum / weight;
 }
 
-TEST(Photographer, SpheresAppearWhereTheCameraProjectsThem)
+TEST(SyntheticRenderer, SpheresAppearWhereTheCameraProjectsThem)
 {
   // 1100 pixels of 4 samples make several tiles, whose seams must not show either.
   const Camera camera = CrookedCamera(1100, 620);
@@ -76,7 +76,7 @@ TEST(Photographer, SpheresAppearWhereTheCameraProjectsThem)
     all->AddInputData(SmallSphere(centre, 5 * camera.PixelFootprint(depth)));
   }
   all->Update();
-  Photographer photographer(all->GetOutput(), Grey, 4);
+  SyntheticRenderer photographer(all->GetOutput(), Grey, 4);
   const RenderedPhotograph photograph = photographer.Take(camera);
   for (const Vector2d& pixel : expected)
   {
@@ -88,7 +88,7 @@ TEST(Photographer, SpheresAppearWhereTheCameraProjectsThem)
   }
 }
 
-TEST(Photographer, EdgeCoversPixelsByItsShare)
+TEST(SyntheticRenderer, EdgeCoversPixelsByItsShare)
 {
   Eigen::Matrix3d k;
   k << 100, 0, 31.5, 0, 100, 23.5, 0, 0, 1;
@@ -102,7 +102,7 @@ TEST(Photographer, EdgeCoversPixelsByItsShare)
   vtkNew<vtkTriangleFilter> triangles;
   triangles->SetInputConnection(plane->GetOutputPort());
   triangles->Update();
-  Photographer photographer(triangles->GetOutput(), Grey, 8);
+  SyntheticRenderer photographer(triangles->GetOutput(), Grey, 8);
   const RenderedPhotograph photograph = photographer.Take(camera);
   for (const int y : { 0, 20, 47 })
   {
@@ -115,7 +115,7 @@ TEST(Photographer, EdgeCoversPixelsByItsShare)
   }
 }
 
-TEST(Photographer, TwoViewsAgreeOnTheColourOfAPoint)
+TEST(SyntheticRenderer, TwoViewsAgreeOnTheColourOfAPoint)
 {
   vtkNew<vtkSphereSource> sphere;
   sphere->SetRadius(1);
@@ -130,7 +130,7 @@ TEST(Photographer, TwoViewsAgreeOnTheColourOfAPoint)
     { "marble", false, 3 }, { "plaster", true, 3 } };
   for (const SurfaceLook& look : looks)
   {
-    Photographer photographer(sphere->GetOutput(), look, 4);
+    SyntheticRenderer photographer(sphere->GetOutput(), look, 4);
     const RenderedPhotograph a = photographer.Take(first);
     const RenderedPhotograph b = photographer.Take(second);
     double apart = 0;
@@ -160,13 +160,13 @@ TEST(Photographer, TwoViewsAgreeOnTheColourOfAPoint)
   }
 }
 
-TEST(Photographer, MaskIsTheProjectionOfTheMesh)
+TEST(SyntheticRenderer, MaskIsTheProjectionOfTheMesh)
 {
   vtkSmartPointer<vtkPolyData> mesh = LoadObject("stool");
   Eigen::Matrix3d k;
   k << 500, 0, 149.5, 0, 500, 119.5, 0, 0, 1;
   const Camera camera = LookAt({ 2, 1.5, 5 }, { 0, 0, 0 }, { 0, 1, 0 }, k, 300, 240);
-  Photographer photographer(mesh, Grey, 4);
+  SyntheticRenderer photographer(mesh, Grey, 4);
   const RenderedPhotograph photograph = photographer.Take(camera);
 
   Eigen::AlignedBox2d projected;
@@ -204,7 +204,7 @@ TEST(Photographer, MaskIsTheProjectionOfTheMesh)
   EXPECT_LT((covered.max() - projected.max()).cwiseAbs().maxCoeff(), 0.5 + 0.125);
 }
 
-TEST(Photographer, WorksFarFromTheOriginAndInOtherUnits)
+TEST(SyntheticRenderer, WorksFarFromTheOriginAndInOtherUnits)
 {
   // Single precision has no digit left for a millimetre at a hundred kilometres.
   const Vector3d centre(1e8, -2e7, 3e7);
@@ -220,16 +220,16 @@ TEST(Photographer, WorksFarFromTheOriginAndInOtherUnits)
   Eigen::Matrix3d k;
   k << 300, 0, 49.5, 0, 300, 49.5, 0, 0, 1;
   const Camera camera = LookAt(centre + Vector3d(0, 0, 600), centre, { 0, 1, 0 }, k, 100, 100);
-  Photographer photographer(mesh, Grey, 4);
+  SyntheticRenderer photographer(mesh, Grey, 4);
   const RenderedPhotograph photograph = photographer.Take(camera);
   EXPECT_LT(
     (Centroid(photograph.Coverage, { 49.5, 49.5 }, 45) - Vector2d(49.5, 49.5)).norm(), 0.05);
 }
 
-TEST(Photographer, SaysWhatIsWrong)
+TEST(SyntheticRenderer, SaysWhatIsWrong)
 {
   vtkSmartPointer<vtkPolyData> mesh = SmallSphere({ 0, 0, 0 }, 1);
-  Photographer photographer(mesh, Grey, 1);
+  SyntheticRenderer photographer(mesh, Grey, 1);
   Eigen::Matrix3d k;
   k << 300, 0, 49.5, 0, 300, 49.5, 0, 0, 1;
   const Camera inside = LookAt({ 0, 0, 0.5 }, { 0, 0, 0 }, { 0, 1, 0 }, k, 100, 100);
@@ -239,7 +239,7 @@ TEST(Photographer, SaysWhatIsWrong)
     testing::HasSubstr("image size is not positive"));
   EXPECT_THAT(MessageOf(
                 [&] {
-                  Photographer(mesh, { "velvet", true, 0 }, 1);
+                  SyntheticRenderer(mesh, { "velvet", true, 0 }, 1);
                 }),
     testing::HasSubstr("there is no such texture (got \"velvet\", expected wood, marble"));
 }

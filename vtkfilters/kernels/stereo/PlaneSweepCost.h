@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef novelview_WindowSweep_h
-#define novelview_WindowSweep_h
+#ifndef novelview_PlaneSweepCost_h
+#define novelview_PlaneSweepCost_h
 
-#include "stereo/MatchingVolume.h"
+#include "stereo/CostVolume.h"
 
 #include <cstdint>
 #include <vector>
@@ -10,13 +10,13 @@
 namespace novelview
 {
 /**
- * A box of the key photograph with a margin of the window's radius all around, channel by channel.
+ * A box of the reference photograph with a margin of the window's radius all around, channel by channel.
  * Column i, row y of it is the frame's pixel (X0 - Radius + i, Y0 + y), y from -Radius.
  */
-class KeyRows
+class ReferenceRows
 {
 public:
-  KeyRows(const MatchImage& key, const Image<float>& base, const Image<float>& last,
+  ReferenceRows(const MatchImage& reference, const Image<float>& base, const Image<float>& last,
     const PixelBox& box, int radius);
 
   /** The columns between the first and the last pixel with a base, end excluded. */
@@ -43,7 +43,8 @@ public:
   std::vector<std::uint8_t> Red, Green, Blue, Luma;
 
 private:
-  void ReadRow(const MatchImage& key, const Image<float>& base, const Image<float>& last, int y);
+  void ReadRow(
+    const MatchImage& reference, const Image<float>& base, const Image<float>& last, int y);
 
   std::vector<Span> Spans;
 };
@@ -53,10 +54,10 @@ private:
  * over the window's rows are kept per column as rows enter and leave. The sums are whole numbers,
  * so that neither the order nor the taking away costs a bit.
  */
-class WindowSweep
+class PlaneSweepCost
 {
 public:
-  WindowSweep(const KeyRows& rows, const MatchImage& other, const MatchOptions& options);
+  PlaneSweepCost(const ReferenceRows& rows, const MatchImage& other, const MatchOptions& options);
 
   /** Begins anew at this offset. */
   void Start(double offset);
@@ -65,7 +66,7 @@ public:
   void Enter(int y);
 
   /**
-   * Costs (0 to MatchingVolume::Unit) of the pixels in the span of the row whose windows end with
+   * Costs (0 to CostVolume::Unit) of the pixels in the span of the row whose windows end with
    * the row entered last; costs[0] is the box's first pixel. False, and nothing is written, where
    * no window holds anything.
    */
@@ -83,29 +84,29 @@ private:
   /** What the pixels of a row add to their columns; all 0 where either is not object. */
   struct Samples
   {
-    KeyRows::Span Span;
-    std::vector<std::uint8_t> Count, Key, Other, Difference;
+    ReferenceRows::Span Span;
+    std::vector<std::uint8_t> Count, Reference, Other, Difference;
     void Clear();
   };
   struct Columns
   {
-    std::vector<std::uint16_t> Count, Key, Other, Difference;
-    std::vector<std::int32_t> Key2, Other2, Product;
+    std::vector<std::uint16_t> Count, Reference, Other, Difference;
+    std::vector<std::int32_t> Reference2, Other2, Product;
   };
 
-  void Project(int y, const KeyRows::Span& span);
-  void Gather(const KeyRows::Span& span);
+  void Project(int y, const ReferenceRows::Span& span);
+  void Gather(const ReferenceRows::Span& span);
   void Compare(int y, Samples& row) const;
   void Replace(const Samples& entering, const Samples& leaving);
   Samples& RowOf(int y) { return this->Ring[(y + 4 * this->Side) % (this->Side + 1)]; }
 
-  const KeyRows& Rows;
+  const ReferenceRows& Rows;
   const MatchImage& Other;
   const int Side;
   const float ShareOfColor;
   const float Noise;
   const float LevelsPerGrey; ///< of Difference: 255 = ColorTruncation
-  Eigen::Matrix3f H;         ///< pixel (x, y) at depth d of the key projects to
+  Eigen::Matrix3f H;         ///< pixel (x, y) at depth d of the reference projects to
   Eigen::Vector3f E;         ///< H (x, y, 1) d + E of the neighbour
   float Offset = 0;
   int Newest = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef novelview_HullAgreement_h
-#define novelview_HullAgreement_h
+#ifndef novelview_HullConsistency_h
+#define novelview_HullConsistency_h
 
 #include "core/Execution.h"
 #include "geometry/View.h"
@@ -17,7 +17,7 @@ struct SilhouetteRay
   Eigen::Vector2d Pixel = Eigen::Vector2d::Zero();
 };
 
-struct AgreementOptions
+struct HullConsistencyOptions
 {
   double StepPx = 0.5;      ///< how far apart a ray is sampled, in the picture where that is most
   double FloorPx = 16;      ///< residuals are no worse than minus this
@@ -26,7 +26,7 @@ struct AgreementOptions
 };
 
 /** How the other silhouettes take a ray. */
-struct RayAgreement
+struct RayConsistency
 {
   /**
    * The most, over the points of the ray, of the least, over the other views, of the signed distance
@@ -51,8 +51,8 @@ struct RayAgreement
  *
  * Views need Mask and ContourDistance, rays valid views. Throws Interrupted.
  */
-std::vector<RayAgreement> FollowSilhouetteRays(const std::vector<View>& views,
-  const std::vector<SilhouetteRay>& rays, const AgreementOptions& options = {},
+std::vector<RayConsistency> FollowSilhouetteRays(const std::vector<View>& views,
+  const std::vector<SilhouetteRay>& rays, const HullConsistencyOptions& options = {},
   const Execution& execution = {});
 
 /** About `count` rays of a view, through pixels of its silhouette that lie evenly over its area. */

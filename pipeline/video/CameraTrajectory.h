@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef novelview_FramePlan_h
-#define novelview_FramePlan_h
+#ifndef novelview_CameraTrajectory_h
+#define novelview_CameraTrajectory_h
 
 #include "dataset/Dataset.h"
 #include "geometry/Camera.h"

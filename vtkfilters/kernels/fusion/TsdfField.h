@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef novelview_FusedField_h
-#define novelview_FusedField_h
+#ifndef novelview_TsdfField_h
+#define novelview_TsdfField_h
 
 #include "geometry/View.h"
 
@@ -19,7 +19,7 @@ struct FusionOptions
   /**
    * How far a depth without texture loses its confidence G at grazing incidence, [0, 1]: there the
    * smoothness of the map has placed it. Factor 1 - GrazingDiscount (1 - G)^3 (1 - cos incidence).
-   * Regarded by Pass() only.
+   * Regarded by FindClosestApproach() only.
    */
   double GrazingDiscount = 0;
 };
@@ -38,40 +38,40 @@ struct FusionOptions
  *
  * Views need ContourDistance, DepthMap and Confidence and must outlive the field.
  */
-class FusedField
+class TsdfField
 {
 public:
-  FusedField(const std::vector<View>& views, const FusionOptions& options, double footprint);
+  TsdfField(const std::vector<View>& views, const FusionOptions& options, double footprint);
 
   /**
    * The field of these views, as if there were no others: these neither vote nor does it count what
    * lies outside their silhouettes. Only the box stays that of all.
    */
-  FusedField Of(const std::vector<int>& views) const;
+  TsdfField Of(const std::vector<int>& views) const;
 
   /** Sums F and W at a point; false when it is outside a silhouette, that is, free. */
-  bool Vote(const Eigen::Vector3d& x, double& f, double& w) const;
+  bool Accumulate(const Eigen::Vector3d& x, double& f, double& w) const;
 
   /** What a ray meets. */
   struct RayResult
   {
     std::optional<double> Surface; ///< depth-like parameter of the first point with field <= 0
-    double Least = 1;              ///< least of (F - wm) / (W + wm) over the ray: below 0 = object
+    double Min = 1;                ///< least of (F - wm) / (W + wm) over the ray: below 0 = object
   };
 
   /**
    * Walks origin + t direction from `from` to `to` in steps of `step`, and refines the first
    * crossing. Stops at the crossing when the ray is certainly object by then.
    */
-  RayResult Walk(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, double from,
-    double to, double step) const;
+  RayResult FindFirstCrossing(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
+    double from, double to, double step) const;
 
   /** How far a ray passes from the object. */
-  struct Passage
+  struct ClosestApproach
   {
     /** Signed distance of the ray from the surface, input pixel footprints, within +- tau: above 0 =
      * misses. */
-    double Clearance;
+    double SignedDistance;
     double At; ///< parameter of the ray where it comes nearest, or is deepest inside
   };
 
@@ -81,8 +81,8 @@ public:
    * the least of many noisy values is biased; it is therefore smoothed along the ray by a parabola
    * through five samples (Savitzky and Golay 1964), which leaves round shapes as they are.
    */
-  Passage Pass(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, double from,
-    double to, double step) const;
+  ClosestApproach FindClosestApproach(const Eigen::Vector3d& origin,
+    const Eigen::Vector3d& direction, double from, double to, double step) const;
 
   /**
    * The least SilhouettePrior with which the ray counts as object; stops looking once it is no more
@@ -95,14 +95,14 @@ private:
   /** How much more the prior weighs after this length of ray inside every silhouette. */
   double ChordFactor(double inside) const;
   /** Where a view sees a point. */
-  struct Sight
+  struct ProjectedSample
   {
     double X, Y;     ///< pixels
     double Depth;    ///< of the point
     int Column, Row; ///< the nearest pixel
   };
   /** What a view knows. */
-  struct Voter
+  struct TsdfView
   {
     Eigen::Matrix<double, 3, 4> P;
     ImageRef<const float> ContourDistance;
@@ -111,14 +111,16 @@ private:
     const Camera* Cam;
 
     /** Adds what the view's map says about the point. */
-    void AddVote(const Sight& sight, double tau, double grazing, double& f, double& w) const;
+    void Accumulate(
+      const ProjectedSample& sample, double tau, double grazing, double& f, double& w) const;
     /** How many steps from a point its picture stays within `pixels` of here, and in the frame. */
-    int StepsWithin(double pixels, const Sight& sight, const Eigen::Vector3d& step) const;
+    int StepsWithin(
+      double pixels, const ProjectedSample& sample, const Eigen::Vector3d& step) const;
     /** Cosine of the angle at which the view sees the surface of its map at a pixel. */
     double Incidence(int x, int y) const;
   };
   class Ray;
-  bool Vote(const Ray& ray, double& f, double& w) const;
+  bool Accumulate(const Ray& ray, double& f, double& w) const;
   double Value(const Ray& ray) const;
   /** What silhouettes and maps say about a point of a ray. */
   struct Sample
@@ -132,7 +134,7 @@ private:
   void ClipToBounds(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, double& from,
     double& to) const;
 
-  std::vector<Voter> Voters;
+  std::vector<TsdfView> Views;
   Eigen::AlignedBox3d Bounds;
   FusionOptions Options;
   double Tau;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The loops over a row are plain so that the compiler does several pixels at once.
-#include "stereo/WindowSweep.h"
+#include "stereo/PlaneSweepCost.h"
 
-#include "core/CpuClones.h"
+#include "core/FunctionMultiversioning.h"
 
 #include <algorithm>
 #include <bit>
@@ -44,7 +44,7 @@ Float4 SamplePixel(const std::uint8_t* top, std::size_t stride, std::int16_t dow
   return a + right * (b - a);
 }
 
-/** Where the rays of a row meet a neighbour; see WindowSweep::Hits. */
+/** Where the rays of a row meet a neighbour; see PlaneSweepCost::Hits. */
 struct RayRow
 {
   const float* Base; ///< depths; of column 0, as are all others
@@ -94,7 +94,7 @@ NOVELVIEW_CLONES void ProjectColumns(
   }
 }
 
-/** The pixels of a row: those of the key, those of the neighbour, and what they give. */
+/** The pixels of a row: those of the reference, those of the neighbour, and what they give. */
 struct PairRow
 {
   const std::uint8_t* Red;
@@ -157,7 +157,7 @@ NOVELVIEW_CLONES void AddChange(std::int32_t* __restrict sums,
 /** What CostsOfColumns needs to know. */
 struct CostRule
 {
-  float LeastCount;
+  float MinCount;
   float ShareOfColor;
   float Noise;
 };
@@ -178,10 +178,10 @@ template <int KnownSide, class T>
 struct ColumnSums
 {
   const std::uint16_t* Count;
-  const std::uint16_t* Key;
+  const std::uint16_t* Reference;
   const std::uint16_t* Other;
   const std::uint16_t* Difference;
-  const std::int32_t* Key2;
+  const std::int32_t* Reference2;
   const std::int32_t* Other2;
   const std::int32_t* Product;
 };
@@ -190,24 +190,24 @@ template <int KnownSide>
 [[gnu::always_inline]] inline void CostsAtSide(const ColumnSums& sums, const CostRule& rule,
   int side, int begin, int end, std::int16_t* __restrict costs)
 {
-  constexpr float unit = MatchingVolume::Unit;
+  constexpr float unit = CostVolume::Unit;
   for (int i = begin; i < end; ++i)
   {
     const auto across = [&](const auto* columns)
     { return static_cast<float>(AcrossWindow<KnownSide>(columns + i, side)); };
     const float n = across(sums.Count);
-    const float key = across(sums.Key);
+    const float reference = across(sums.Reference);
     const float other = across(sums.Other);
     const float noise = rule.Noise * n * n;
-    const float varianceKey = n * across(sums.Key2) - key * key + noise;
+    const float varianceKey = n * across(sums.Reference2) - reference * reference + noise;
     const float varianceOther = n * across(sums.Other2) - other * other + noise;
-    const float covariance = n * across(sums.Product) - key * other;
+    const float covariance = n * across(sums.Product) - reference * other;
     const float correlation = std::max(covariance, 0.f) / std::sqrt(varianceKey * varianceOther);
     const float difference = across(sums.Difference) / (255 * n);
     const float cost =
       (1 - rule.ShareOfColor) * 0.5f * (1 - correlation) + rule.ShareOfColor * difference;
     costs[i] = static_cast<std::int16_t>(
-      static_cast<std::int32_t>(n < rule.LeastCount ? unit : unit * cost + 0.5f));
+      static_cast<std::int32_t>(n < rule.MinCount ? unit : unit * cost + 0.5f));
   }
 }
 NOVELVIEW_CLONES void CostsOfColumns(
@@ -224,9 +224,9 @@ NOVELVIEW_CLONES void CostsOfColumns(
 }
 }
 
-KeyRows::KeyRows(const MatchImage& key, const Image<float>& base, const Image<float>& last,
-  const PixelBox& box, int radius)
-  : Cam(key.Cam)
+ReferenceRows::ReferenceRows(const MatchImage& reference, const Image<float>& base,
+  const Image<float>& last, const PixelBox& box, int radius)
+  : Cam(reference.Cam)
   , Box(box)
   , Radius(radius)
   , Width(box.Width() + 2 * radius)
@@ -243,13 +243,13 @@ KeyRows::KeyRows(const MatchImage& key, const Image<float>& base, const Image<fl
   {
     if (box.Y0 + y >= 0 && box.Y0 + y < base.Height)
     {
-      this->ReadRow(key, base, last, y);
+      this->ReadRow(reference, base, last, y);
     }
   }
 }
 
-void KeyRows::ReadRow(
-  const MatchImage& key, const Image<float>& base, const Image<float>& last, int y)
+void ReferenceRows::ReadRow(
+  const MatchImage& reference, const Image<float>& base, const Image<float>& last, int y)
 {
   Span& span = this->Spans[y + this->Radius];
   const std::size_t row = static_cast<std::size_t>(y + this->Radius) * this->Width;
@@ -263,15 +263,16 @@ void KeyRows::ReadRow(
     }
     this->Base[row + i] = base(frameX, frameY);
     this->Last[row + i] = last(frameX, frameY);
-    this->Red[row + i] = key.Pixels(frameX, frameY, 0);
-    this->Green[row + i] = key.Pixels(frameX, frameY, 1);
-    this->Blue[row + i] = key.Pixels(frameX, frameY, 2);
-    this->Luma[row + i] = key.Pixels(frameX, frameY, 3);
+    this->Red[row + i] = reference.Pixels(frameX, frameY, 0);
+    this->Green[row + i] = reference.Pixels(frameX, frameY, 1);
+    this->Blue[row + i] = reference.Pixels(frameX, frameY, 2);
+    this->Luma[row + i] = reference.Pixels(frameX, frameY, 3);
     span = { span.Empty() ? i : span.Begin, i + 1, std::max(span.Last, last(frameX, frameY)) };
   }
 }
 
-WindowSweep::WindowSweep(const KeyRows& rows, const MatchImage& other, const MatchOptions& options)
+PlaneSweepCost::PlaneSweepCost(
+  const ReferenceRows& rows, const MatchImage& other, const MatchOptions& options)
   : Rows(rows)
   , Other(other)
   , Side(2 * rows.Radius + 1)
@@ -279,10 +280,10 @@ WindowSweep::WindowSweep(const KeyRows& rows, const MatchImage& other, const Mat
   , Noise(static_cast<float>(options.Noise))
   , LevelsPerGrey(static_cast<float>(255 / options.ColorTruncation))
 {
-  const Camera& key = rows.Cam;
-  const Eigen::Matrix3d rotation = other.Cam.R * key.R.transpose();
-  this->H = (other.Cam.K * rotation * key.K.inverse()).cast<float>();
-  this->E = (other.Cam.K * (other.Cam.T - rotation * key.T)).cast<float>();
+  const Camera& reference = rows.Cam;
+  const Eigen::Matrix3d rotation = other.Cam.R * reference.R.transpose();
+  this->H = (other.Cam.K * rotation * reference.K.inverse()).cast<float>();
+  this->E = (other.Cam.K * (other.Cam.T - rotation * reference.T)).cast<float>();
   const std::size_t width = rows.Width;
   this->Hit = { std::vector<std::int32_t>(width), std::vector<std::int32_t>(width),
     std::vector<std::int32_t>(width), std::vector<float>(width) };
@@ -294,7 +295,7 @@ WindowSweep::WindowSweep(const KeyRows& rows, const MatchImage& other, const Mat
   this->Sum = { small, small, small, small, large, large, large };
 }
 
-void WindowSweep::Start(double offset)
+void PlaneSweepCost::Start(double offset)
 {
   this->Offset = static_cast<float>(offset);
   for (Samples& row : this->Ring)
@@ -302,25 +303,26 @@ void WindowSweep::Start(double offset)
     row.Clear();
     row.Span = {};
   }
-  for (auto* sums : { &this->Sum.Count, &this->Sum.Key, &this->Sum.Other, &this->Sum.Difference })
+  for (auto* sums :
+    { &this->Sum.Count, &this->Sum.Reference, &this->Sum.Other, &this->Sum.Difference })
   {
     std::fill(sums->begin(), sums->end(), 0);
   }
-  for (auto* sums : { &this->Sum.Key2, &this->Sum.Other2, &this->Sum.Product })
+  for (auto* sums : { &this->Sum.Reference2, &this->Sum.Other2, &this->Sum.Product })
   {
     std::fill(sums->begin(), sums->end(), 0);
   }
 }
 
-void WindowSweep::Samples::Clear()
+void PlaneSweepCost::Samples::Clear()
 {
-  for (auto* values : { &this->Count, &this->Key, &this->Other, &this->Difference })
+  for (auto* values : { &this->Count, &this->Reference, &this->Other, &this->Difference })
   {
     std::fill(values->begin() + this->Span.Begin, values->begin() + this->Span.End, 0);
   }
 }
 
-void WindowSweep::Enter(int y)
+void PlaneSweepCost::Enter(int y)
 {
   this->Newest = y;
   Samples& entering = this->RowOf(y);
@@ -339,7 +341,7 @@ void WindowSweep::Enter(int y)
   this->Replace(entering, this->RowOf(y - this->Side));
 }
 
-void WindowSweep::Project(int y, const KeyRows::Span& span)
+void PlaneSweepCost::Project(int y, const ReferenceRows::Span& span)
 {
   const int frameY = this->Rows.Box.Y0 + y;
   const int column0 = this->Rows.Box.X0 - this->Rows.Radius;
@@ -359,7 +361,7 @@ void WindowSweep::Project(int y, const KeyRows::Span& span)
     span.Begin, span.End);
 }
 
-void WindowSweep::Gather(const KeyRows::Span& span)
+void PlaneSweepCost::Gather(const ReferenceRows::Span& span)
 {
   const std::uint8_t* pixels = this->Other.Pixels.Values.data();
   const std::size_t stride = 4 * static_cast<std::size_t>(this->Other.Pixels.Width);
@@ -381,28 +383,29 @@ void WindowSweep::Gather(const KeyRows::Span& span)
   }
 }
 
-void WindowSweep::Compare(int y, Samples& row) const
+void PlaneSweepCost::Compare(int y, Samples& row) const
 {
-  const KeyRows& key = this->Rows;
-  const PairRow pair{ key.Row(key.Red, y), key.Row(key.Green, y), key.Row(key.Blue, y),
-    key.Row(key.Luma, y), this->Picked.data(), this->Hit.Nearest.data(), row.Count.data(),
-    row.Key.data(), row.Other.data(), row.Difference.data() };
+  const ReferenceRows& reference = this->Rows;
+  const PairRow pair{ reference.Row(reference.Red, y), reference.Row(reference.Green, y),
+    reference.Row(reference.Blue, y), reference.Row(reference.Luma, y), this->Picked.data(),
+    this->Hit.Nearest.data(), row.Count.data(), row.Reference.data(), row.Other.data(),
+    row.Difference.data() };
   CompareColumns(pair, this->LevelsPerGrey, row.Span.Begin, row.Span.End);
 }
 
-void WindowSweep::Replace(const Samples& in, const Samples& out)
+void PlaneSweepCost::Replace(const Samples& in, const Samples& out)
 {
   if (in.Span.Empty() && out.Span.Empty())
   {
     return;
   }
   const bool one = in.Span.Empty() || out.Span.Empty();
-  const KeyRows::Span& any = in.Span.Empty() ? out.Span : in.Span;
+  const ReferenceRows::Span& any = in.Span.Empty() ? out.Span : in.Span;
   const int begin = one ? any.Begin : std::min(in.Span.Begin, out.Span.Begin);
   const int end = one ? any.End : std::max(in.Span.End, out.Span.End);
   Columns& sum = this->Sum;
   AddChange(sum.Count.data(), in.Count.data(), out.Count.data(), begin, end);
-  AddChange(sum.Key.data(), in.Key.data(), out.Key.data(), begin, end);
+  AddChange(sum.Reference.data(), in.Reference.data(), out.Reference.data(), begin, end);
   AddChange(sum.Other.data(), in.Other.data(), out.Other.data(), begin, end);
   AddChange(sum.Difference.data(), in.Difference.data(), out.Difference.data(), begin, end);
   const auto products = [&](std::vector<std::int32_t>& sums, auto Samples::*a, auto Samples::*b)
@@ -410,16 +413,16 @@ void WindowSweep::Replace(const Samples& in, const Samples& out)
     AddChange(
       sums.data(), (in.*a).data(), (in.*b).data(), (out.*a).data(), (out.*b).data(), begin, end);
   };
-  products(sum.Key2, &Samples::Key, &Samples::Key);
+  products(sum.Reference2, &Samples::Reference, &Samples::Reference);
   products(sum.Other2, &Samples::Other, &Samples::Other);
-  products(sum.Product, &Samples::Key, &Samples::Other);
+  products(sum.Product, &Samples::Reference, &Samples::Other);
 }
 
-bool WindowSweep::Costs(std::int16_t* costs)
+bool PlaneSweepCost::Costs(std::int16_t* costs)
 {
   const bool nothing = std::all_of(
     this->Ring.begin(), this->Ring.end(), [](const Samples& row) { return row.Span.Empty(); });
-  const KeyRows::Span span = this->Rows.SpanOf(this->Newest - this->Rows.Radius);
+  const ReferenceRows::Span span = this->Rows.SpanOf(this->Newest - this->Rows.Radius);
   const int begin = std::max(span.Begin - this->Rows.Radius, 0);
   const int end = std::min(span.End - this->Rows.Radius, this->Rows.Box.Width());
   if (nothing || begin >= end)
@@ -427,8 +430,8 @@ bool WindowSweep::Costs(std::int16_t* costs)
     return false;
   }
   const Columns& sum = this->Sum;
-  const ColumnSums sums{ sum.Count.data(), sum.Key.data(), sum.Other.data(), sum.Difference.data(),
-    sum.Key2.data(), sum.Other2.data(), sum.Product.data() };
+  const ColumnSums sums{ sum.Count.data(), sum.Reference.data(), sum.Other.data(),
+    sum.Difference.data(), sum.Reference2.data(), sum.Other2.data(), sum.Product.data() };
   const CostRule rule{ static_cast<float>((this->Side * this->Side + 3) / 4), this->ShareOfColor,
     this->Noise };
   CostsOfColumns(sums, rule, this->Side, begin, end, costs);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hull/LatticeCells.h"
+#include "hull/SurfaceNets.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ double Volume(const TriangleMesh& mesh)
 }
 }
 
-TEST(LatticeCells, OnePointInsideIsACube)
+TEST(SurfaceNets, OnePointInsideIsACube)
 {
   for (const Vector3i& at : { Vector3i(1, 1, 1), Vector3i(7, 3, 900), Vector3i(40, 0, 0) })
   {
@@ -50,7 +50,7 @@ TEST(LatticeCells, OnePointInsideIsACube)
   }
 }
 
-TEST(LatticeCells, OnePointOutsideIsACubeInsideOut)
+TEST(SurfaceNets, OnePointOutsideIsACubeInsideOut)
 {
   std::vector<CellSample> samples = CellsAround({ 5, 5, 5 });
   for (CellSample& sample : samples)
@@ -60,7 +60,7 @@ TEST(LatticeCells, OnePointOutsideIsACubeInsideOut)
   EXPECT_NEAR(Volume(ConnectCells(samples, SortCells(samples))), -1, 1e-9);
 }
 
-TEST(LatticeCells, WithoutACellTheEdgesAroundItHaveNoTriangles)
+TEST(SurfaceNets, WithoutACellTheEdgesAroundItHaveNoTriangles)
 {
   std::vector<CellSample> samples = CellsAround({ 5, 5, 5 });
   samples.pop_back();
@@ -69,7 +69,7 @@ TEST(LatticeCells, WithoutACellTheEdgesAroundItHaveNoTriangles)
   EXPECT_EQ(open.Triangles.size(), 6u); // three of the six edges belong to the missing cell
 }
 
-TEST(LatticeCells, CellsThatTouchAtACornerAreConnected)
+TEST(SurfaceNets, CellsThatTouchAtACornerAreConnected)
 {
   std::vector<CellSample> samples(4);
   samples[0].Cell = { 9, 9, 9 };
@@ -80,7 +80,7 @@ TEST(LatticeCells, CellsThatTouchAtACornerAreConnected)
   EXPECT_EQ(components, (std::vector<int>{ 0, 0, 2, 3 }));
 }
 
-TEST(LatticeCells, OfCloseSamplesWithLikeNormalsTheFirstStays)
+TEST(SurfaceNets, OfCloseSamplesWithLikeNormalsTheFirstStays)
 {
   std::vector<CellSample> samples(3);
   for (int i = 0; i < 3; ++i)
@@ -89,7 +89,7 @@ TEST(LatticeCells, OfCloseSamplesWithLikeNormalsTheFirstStays)
     samples[i].Point = Vector3d(0.6 * i, 0, 0); // of a spacing of 1
     samples[i].Normal = Vector3d::UnitZ();
   }
-  const auto stays = [&] { return ThinOut(samples, SortCells(samples), 1); };
+  const auto stays = [&] { return Subsample(samples, SortCells(samples), 1); };
   EXPECT_EQ(stays(), (std::vector<char>{ 1, 0, 1 })) << "the third is far enough from the first";
   samples[1].Normal = -Vector3d::UnitZ();
   EXPECT_EQ(stays(), (std::vector<char>{ 1, 1, 1 })) << "the other side of a sheet";

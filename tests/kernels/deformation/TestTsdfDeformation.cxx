@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "deformation/FieldDeformation.h"
+#include "deformation/TsdfDeformation.h"
 #include "geometry/NovelProjection.h"
 #include "geometry/ViewSelection.h"
 #include "geometry/Visibility.h"
@@ -10,7 +10,7 @@
 using namespace novelview;
 using namespace support;
 
-TEST(FieldDeformation, WithTrueDepthMapsTheDentIsFound)
+TEST(TsdfDeformation, WithTrueDepthMapsTheDentIsFound)
 {
   const DentCase& dent = TheDent();
   const auto result = DeformNonOutlineByField(dent.Mesh, dent.Visible, dent.Views, dent.Novel);
@@ -32,7 +32,7 @@ TEST(FieldDeformation, WithTrueDepthMapsTheDentIsFound)
   EXPECT_LT(off, 0.35 * offBefore);
 }
 
-TEST(FieldDeformation, OtherPointsStayOnTheirRays)
+TEST(TsdfDeformation, OtherPointsStayOnTheirRays)
 {
   const DentCase& dent = TheDent();
   const auto result = DeformNonOutlineByField(dent.Mesh, dent.Visible, dent.Views, dent.Novel);
@@ -47,7 +47,7 @@ TEST(FieldDeformation, OtherPointsStayOnTheirRays)
   }
 }
 
-TEST(FieldDeformation, OutlinePointsKeepTheirDepthAndNoTriangleFlips)
+TEST(TsdfDeformation, OutlinePointsKeepTheirDepthAndNoTriangleFlips)
 {
   const DentCase& dent = TheDent();
   const auto result = DeformOutlineByField(dent.Mesh, dent.Visible, dent.Views, dent.Novel);
@@ -71,11 +71,11 @@ TEST(FieldDeformation, OutlinePointsKeepTheirDepthAndNoTriangleFlips)
   }
 }
 
-TEST(FieldDeformation, TheFusedSilhouetteIsThatOfTheObject)
+TEST(TsdfDeformation, TheFusedSilhouetteIsThatOfTheObject)
 {
   const DentCase& dent = TheDent();
   const double footprint = MedianFootprint(dent.Views, Vector3d::Zero());
-  const FusedField field(dent.Views, {}, footprint);
+  const TsdfField field(dent.Views, {}, footprint);
   const auto silhouette = FusedSilhouette(dent.Mesh, dent.Views, field, dent.Novel, footprint);
   const Photo truth = Take(Traced(dent.Truth, 0.6), Plain(1, 1, 1), dent.Novel, "novel");
   int wrong = 0;
@@ -93,7 +93,7 @@ TEST(FieldDeformation, TheFusedSilhouetteIsThatOfTheObject)
   EXPECT_EQ(wrong, 0);
 }
 
-TEST(FieldDeformation, ViewsWithoutMapsAreNamed)
+TEST(TsdfDeformation, ViewsWithoutMapsAreNamed)
 {
   const DentCase& dent = TheDent();
   auto views = dent.Views;
@@ -104,10 +104,10 @@ TEST(FieldDeformation, ViewsWithoutMapsAreNamed)
     "view p3: point array Depth or Confidence is missing");
 }
 
-TEST(FieldDeformation, TheListenerHearsEveryIterationOnceAndTheStart)
+TEST(TsdfDeformation, TheListenerHearsEveryIterationOnceAndTheStart)
 {
   const DentCase& dent = TheDent();
-  FieldDeformationOptions options;
+  TsdfDeformationOptions options;
   options.Iterations = 3;
   std::vector<int> heard;
   const auto listener = [&](const DeformationState& state) { heard.push_back(state.Iteration); };
@@ -118,7 +118,7 @@ TEST(FieldDeformation, TheListenerHearsEveryIterationOnceAndTheStart)
   EXPECT_EQ(heard, (std::vector<int>{ 0, 1, 2, 3 }));
 }
 
-TEST(FieldDeformation, SameBitsWithOneAndMoreThreads)
+TEST(TsdfDeformation, SameBitsWithOneAndMoreThreads)
 {
   const DentCase& dent = TheDent();
   const auto one = DeformOutlineByField(dent.Mesh, dent.Visible, dent.Views, dent.Novel);
@@ -133,16 +133,16 @@ TEST(FieldDeformation, SameBitsWithOneAndMoreThreads)
 
 namespace
 {
-/** The numbers of FieldDeformationOptions that grow with the maps' noise. */
+/** The numbers of TsdfDeformationOptions that grow with the maps' noise. */
 std::vector<double> Growing(double noise)
 {
-  const FieldDeformationOptions options = OptionsForNoise(noise);
+  const TsdfDeformationOptions options = OptionsForNoise(noise);
   return { options.Surface.TruncationPx, options.Surface.SurfacePrior, options.Outline.TruncationPx,
     options.Silhouette.SmoothingPx };
 }
 }
 
-TEST(FieldDeformation, OptionsGrowWithTheNoiseBetweenTheirLimits)
+TEST(TsdfDeformation, OptionsGrowWithTheNoiseBetweenTheirLimits)
 {
   EXPECT_EQ(Growing(0), (std::vector<double>{ 3, 0.05, 2, 0 })) << "as sharp as pixels allow";
   EXPECT_EQ(Growing(100), (std::vector<double>{ 6, 0.3, 5, 1 }));
@@ -159,10 +159,10 @@ TEST(FieldDeformation, OptionsGrowWithTheNoiseBetweenTheirLimits)
   EXPECT_EQ(before, Growing(100)) << "all limits are reached";
 }
 
-TEST(FieldDeformation, OptionsForSharpMapsAreTheDefaults)
+TEST(TsdfDeformation, OptionsForSharpMapsAreTheDefaults)
 {
-  const FieldDeformationOptions sharp = OptionsForNoise(0);
-  const FieldDeformationOptions plain;
+  const TsdfDeformationOptions sharp = OptionsForNoise(0);
+  const TsdfDeformationOptions plain;
   EXPECT_EQ(sharp.Surface.TruncationPx, plain.Surface.TruncationPx);
   EXPECT_EQ(sharp.Surface.SurfacePrior, plain.Surface.SurfacePrior);
   EXPECT_EQ(sharp.Outline.TruncationPx, plain.Outline.TruncationPx);
