@@ -311,7 +311,7 @@ private:
       {
         WorkResult result = make(item);
         const std::lock_guard lock(this->Guard);
-        this->Impl.emplace(item, std::move(result));
+        this->Local.emplace(item, std::move(result));
       }
       else
       {
@@ -332,7 +332,7 @@ private:
     std::string bytes;
     {
       const std::lock_guard lock(this->Guard);
-      if (auto own = this->Impl.extract(item))
+      if (auto own = this->Local.extract(item))
       {
         result = std::move(own.mapped());
       }
@@ -426,7 +426,7 @@ private:
   std::atomic<bool> Failed{ false };
   std::mutex Guard; ///< of what follows
   std::string FailureText;
-  std::map<std::size_t, WorkResult> Impl;
+  std::map<std::size_t, WorkResult> Local; ///< made in this process
   std::map<std::size_t, std::string> Received;
 };
 
