@@ -6,6 +6,7 @@
 #include "core/ToInt.h"
 #include "dataset/ViewSpec.h"
 #include "geometry/CameraPath.h"
+#include "options/NearestWord.h"
 #include "options/Options.h"
 
 #include <algorithm>
