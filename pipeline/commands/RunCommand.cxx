@@ -144,7 +144,7 @@ void RunView(const RunOptions& options, Console& console)
   ValidateCamera(view.Cam, "novel camera");
   PrepareModelFiles(options.MeshOut);
   const std::string jobText = JobText(options);
-  AnnounceText(options.Out / "options.json", jobText);
+  AnnounceText(options.Out / "job.json", jobText);
   PrepareFolder(options.Out,
     FilesOfRun(
       options.UpTo, options.Synthesis.OutlineIterations, options.Synthesis.NonOutlineIterations));
@@ -190,7 +190,7 @@ void RunView(const RunOptions& options, Console& console)
     {
       WriteReport(stages, oracle, synthesis, report);
       report.Finish(desktop.Title);
-      WriteTextAtomically(options.Out / "options.json", jobText);
+      WriteTextAtomically(options.Out / "job.json", jobText);
       if (options.Page)
       {
         WriteRig(options, desktop.Title, view.Cam, dataset.Views, synthesis.Crust());
