@@ -260,7 +260,7 @@ TEST(PowerCrustMesher, PrintsEveryMember)
   vtkNew<vtkPowerCrustMesher> mesher;
   mesher->SetOutputType(77); // clamped
   EXPECT_EQ(mesher->GetOutputType(), vtkPowerCrustMesher::DelaunayCrust);
-  mesher->SetMinimumPieceSamples(-5);
+  mesher->SetMinimumComponentSamples(-5);
   std::ostringstream text;
   mesher->Print(text);
   EXPECT_THAT(text.str(), testing::HasSubstr("OutputType: DelaunayCrust"));

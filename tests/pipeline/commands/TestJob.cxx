@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/AtomicFile.h"
 #include "base/JsonFile.h"
+#include "commands/ConvertOptions.h"
+#include "commands/EvaluateOptions.h"
+#include "commands/RenderOptions.h"
 #include "commands/RunOptions.h"
+#include "generator/Generator.h"
+#include "options/NearestWord.h"
 #include "formats/Middlebury.h"
 #include "images/ImageFile.h"
 #include "support/TestSupport.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ViewAccess.h"
+#include "commands/EvaluateOptions.h"
 #include "evaluate/EvaluationPictures.h"
 #include "evaluate/EvaluationPlan.h"
 #include "evaluate/EvaluationScores.h"
