@@ -40,7 +40,7 @@ class Frame
 public:
   Frame(const Json& own, const Json& shared, std::string where)
     : Where(std::move(where))
-    , Frame(own)
+    , Values(own)
     , Shared(shared)
   {
   }
@@ -48,7 +48,7 @@ public:
   /** The value of a key, null when there is none. */
   const Json* Find(const std::string& key) const
   {
-    for (const Json* object : { &this->Frame, &this->Shared })
+    for (const Json* object : { &this->Values, &this->Shared })
     {
       const auto found = object->find(key);
       if (found != object->end() && !found->is_null())
@@ -84,7 +84,7 @@ public:
   std::string Where;
 
 private:
-  const Json& Frame;
+  const Json& Values;
   const Json& Shared;
 };
 

@@ -74,15 +74,15 @@ NOVELVIEW_CLONES void ProjectPoint(const RayArrays& ray, double t, int count)
 class TsdfField::Ray
 {
 public:
-  Ray(const std::vector<TsdfView>& voters, const Vector3d& origin, const Vector3d& direction)
-    : Count(static_cast<int>(voters.size()))
-    , Numbers(9 * voters.size())
-    , Pixels(2 * voters.size())
+  Ray(const std::vector<TsdfView>& views, const Vector3d& origin, const Vector3d& direction)
+    : Count(static_cast<int>(views.size()))
+    , Numbers(9 * views.size())
+    , Pixels(2 * views.size())
   {
     for (int i = 0; i < this->Count; ++i)
     {
-      const Vector3d o = voters[i].P.leftCols<3>() * origin + voters[i].P.col(3);
-      const Vector3d d = voters[i].P.leftCols<3>() * direction;
+      const Vector3d o = views[i].P.leftCols<3>() * origin + views[i].P.col(3);
+      const Vector3d d = views[i].P.leftCols<3>() * direction;
       for (int axis = 0; axis < 3; ++axis)
       {
         this->Array(axis)[i] = o[axis];
@@ -100,14 +100,14 @@ public:
   }
 
   /** Where view i sees the point; false when it is behind the camera or outside the frame. */
-  bool See(int i, const TsdfView& voter, ProjectedSample& sample) const
+  bool See(int i, const TsdfView& view, ProjectedSample& sample) const
   {
     sample.Column = this->Pixels[i];
     sample.Row = this->Pixels[this->Count + i];
     sample.X = this->Numbers[6 * this->Count + i];
     sample.Y = this->Numbers[7 * this->Count + i];
     sample.Depth = this->Numbers[8 * this->Count + i];
-    return voter.ContourDistance.Contains(sample.Column, sample.Row);
+    return view.ContourDistance.Contains(sample.Column, sample.Row);
   }
 
 private:
@@ -128,14 +128,11 @@ TsdfField::TsdfField(const std::vector<View>& views, const FusionOptions& option
 {
   for (const View& view : views)
   {
-    TsdfView voter;
-    voter.P.leftCols<3>() = view.Cam.K * view.Cam.R;
-    voter.P.col(3) = view.Cam.K * view.Cam.T;
-    voter.ContourDistance = view.ContourDistance;
-    voter.DepthMap = view.DepthMap;
-    voter.Confidence = view.Confidence;
-    voter.Cam = &view.Cam;
-    this->Views.push_back(voter);
+    Eigen::Matrix<double, 3, 4> projection;
+    projection.leftCols<3>() = view.Cam.K * view.Cam.R;
+    projection.col(3) = view.Cam.K * view.Cam.T;
+    this->Views.push_back(
+      { projection, view.ContourDistance, view.DepthMap, view.Confidence, &view.Cam });
     ExtendByMap(view, this->Bounds);
   }
   if (!this->Bounds.isEmpty())
@@ -233,17 +230,17 @@ bool TsdfField::Accumulate(const Ray& ray, double& f, double& w) const
   ProjectedSample sample;
   for (int i = 0; i < static_cast<int>(this->Views.size()); ++i)
   {
-    const TsdfView& voter = this->Views[i];
-    if (!ray.See(i, voter, sample))
+    const TsdfView& view = this->Views[i];
+    if (!ray.See(i, view, sample))
     {
       continue;
     }
-    const ImageRef<const float>& contour = voter.ContourDistance;
+    const ImageRef<const float>& contour = view.ContourDistance;
     if (contour(sample.Column, sample.Row) < 0 && SampleBilinear(contour, sample.X, sample.Y) < 0)
     {
       return false;
     }
-    voter.Accumulate(sample, this->Tau, 0, f, w);
+    view.Accumulate(sample, this->Tau, 0, f, w);
   }
   return true;
 }
@@ -326,31 +323,31 @@ int TsdfField::TsdfView::StepsWithin(
     growth * most > reach * sample.Depth ? reach * sample.Depth / growth : most);
 }
 
-TsdfField::Sample TsdfField::Look(const Ray& ray, const Vector3d& step) const
+TsdfField::Sample TsdfField::SampleAt(const Ray& ray, const Vector3d& step) const
 {
   const double tau = this->Options.TruncationPx;
   constexpr double nearest = 0.75; // pixels from a point to the nearest pixel's centre, at most
   Sample sample{ -tau, 0, 0, 0 };
-  ProjectedSample sample;
+  ProjectedSample projected;
   for (int i = 0; i < static_cast<int>(this->Views.size()); ++i)
   {
-    const TsdfView& voter = this->Views[i];
-    if (!ray.See(i, voter, sample))
+    const TsdfView& view = this->Views[i];
+    if (!ray.See(i, view, projected))
     {
       continue;
     }
-    const ImageRef<const float>& contour = voter.ContourDistance;
-    const double outside = -contour(sample.Column, sample.Row);
+    const ImageRef<const float>& contour = view.ContourDistance;
+    const double outside = -contour(projected.Column, projected.Row);
     if (outside >= tau + nearest)
     {
-      return { tau, 0, 0, voter.StepsWithin(outside - nearest - tau, sample, step) };
+      return { tau, 0, 0, view.StepsWithin(outside - nearest - tau, projected, step) };
     }
     // Interpolated only where the nearest pixel says that it can matter.
     if (outside > sample.Outside - 2)
     {
-      sample.Outside = std::max(sample.Outside, -SampleBilinear(contour, sample.X, sample.Y));
+      sample.Outside = std::max(sample.Outside, -SampleBilinear(contour, projected.X, projected.Y));
     }
-    voter.Accumulate(sample, this->Tau, this->Options.GrazingDiscount, sample.F, sample.W);
+    view.Accumulate(projected, this->Tau, this->Options.GrazingDiscount, sample.F, sample.W);
   }
   sample.Outside = std::min(sample.Outside, tau);
   return sample;
@@ -374,7 +371,7 @@ TsdfField::ClosestApproach TsdfField::FindClosestApproach(
   for (std::size_t k = 0; k < count; ++k)
   {
     ray.MoveTo(from + k * step);
-    const Sample sample = this->Look(ray, step * direction);
+    const Sample sample = this->SampleAt(ray, step * direction);
     if (sample.Outside >= tau)
     {
       k += sample.FreeSteps;

@@ -129,7 +129,7 @@ private:
     double F, W;    ///< the maps' votes; not complete when Outside is tau
     int FreeSteps;  ///< so many further steps of the ray are tau or more outside, too
   };
-  Sample Look(const Ray& ray, const Eigen::Vector3d& step) const;
+  Sample SampleAt(const Ray& ray, const Eigen::Vector3d& step) const;
   /** Shortens [from, to] of a ray to what lies in the box around the maps' surfaces. */
   void ClipToBounds(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, double& from,
     double& to) const;
