@@ -378,7 +378,7 @@ std::vector<std::uint8_t> PointFlags(vtkPolyData* poly, const char* name, std::u
 vtkSmartPointer<vtkFloatArray> NewNormals(const std::vector<Eigen::Vector3d>& normals)
 {
   auto array = vtkSmartPointer<vtkFloatArray>::New();
-  array->SetName("Normals");
+  array->SetName(arrays::Normals);
   array->SetNumberOfComponents(3);
   array->SetNumberOfTuples(static_cast<vtkIdType>(normals.size()));
   for (std::size_t ptId = 0; ptId < normals.size(); ++ptId)

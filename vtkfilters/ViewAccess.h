@@ -24,6 +24,7 @@
 #ifndef novelview_ViewAccess_h
 #define novelview_ViewAccess_h
 
+#include "ArrayNames.h"
 #include "geometry/TriangleMesh.h"
 #include "geometry/View.h"
 #include "vtkNovelViewFiltersModule.h"
@@ -42,24 +43,6 @@ class vtkPolyData;
 
 namespace novelview
 {
-namespace arrays
-{
-inline constexpr const char* Color = "Color";
-inline constexpr const char* Mask = "Mask";
-inline constexpr const char* ContourDistance = "ContourDistance";
-inline constexpr const char* Depth = "Depth";
-inline constexpr const char* Confidence = "Confidence";
-inline constexpr const char* DepthNoise = "DepthNoise";
-inline constexpr const char* SilhouettePrior = "SilhouettePrior";
-inline constexpr const char* ExposureGain = "ExposureGain";
-inline constexpr const char* ContourOffset = "ContourOffset";
-inline constexpr const char* CellId = "CellId";
-inline constexpr const char* Seen = "Seen";
-inline constexpr const char* CameraMatrix = "CameraMatrix";
-inline constexpr const char* Rotation = "Rotation";
-inline constexpr const char* Translation = "Translation";
-}
-
 /** An image block of this size without arrays. */
 VTKNOVELVIEWFILTERS_EXPORT vtkSmartPointer<vtkImageData> NewImage(int width, int height);
 

@@ -27,11 +27,6 @@
  * which, unlike a sum of squares, is 0 for unrelated windows; the distance to the hull is read from
  * the silhouette field (the least over the views of the distance to the silhouette's cone).
  *
- * With UseDepthMaps every point, outline points included, moves on the same line L to where the
- * views' fused depth maps change from free to solid, balanced with its neighbours
- * (TsdfDeformation.h); `EnergyPhoto` is then the distance to there, `EnergyHull` that to where the
- * point started, in footprints.
- *
  * Reference: Chia, He and Lin 2013, section 2.3.
  */
 #ifndef vtkNonOutlineDeformer_h
@@ -73,9 +68,8 @@ public:
 protected:
   vtkNonOutlineDeformer() = default;
   ~vtkNonOutlineDeformer() override = default;
-  int RequestData(
-    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
-  const char* ContourArrayName() const override { return "EnergyHull"; }
+  void Deform(const Work& work) override;
+  const char* ContourArrayName() const override { return novelview::arrays::EnergyHull; }
   bool MovesOutline() const override { return false; }
 
   double SmoothWeight = 0.3;

@@ -23,12 +23,6 @@
  * photo energy (the paper does not say); a move that would fold a triangle is shortened to the next
  * best candidate.
  *
- * With UseDepthMaps the positions come from the views' depth maps instead: outline points move, in
- * the same plane, onto the contour of the silhouette that the fused maps show to the novel camera,
- * and the strip they sweep is cut away (TsdfDeformation.h); `EnergyPhoto` is then the distance to
- * that contour in pixels and the other terms are 0. With UseContourPrediction that contour is
- * refined by the one interpolated from the photographs' contours, which takes the place of E_c.
- *
  * Reference: Chia, He and Lin 2013, section 2.2.
  */
 #ifndef vtkOutlineDeformer_h
@@ -73,32 +67,11 @@ public:
   vtkGetMacro(ContourSigma, double);
   ///@}
 
-  ///@{
-  /**
-   * With UseDepthMaps: weight of "object" against the photographs' votes when it is decided whether
-   * a ray meets any. Larger values carve less. 0, the default, takes the
-   * one that vtkReferenceDepthEstimator found for the data set. Range 0 to 10.
-   */
-  vtkSetClampMacro(SilhouettePrior, double, 0.0, 10.0);
-  vtkGetMacro(SilhouettePrior, double);
-  ///@}
-
-  ///@{
-  /**
-   * With UseDepthMaps: refine the outline by the contour interpolated from the photographs' own
-   * (ContourPrediction.h). Default on.
-   */
-  vtkSetMacro(UseContourPrediction, bool);
-  vtkGetMacro(UseContourPrediction, bool);
-  vtkBooleanMacro(UseContourPrediction, bool);
-  ///@}
-
 protected:
   vtkOutlineDeformer() = default;
   ~vtkOutlineDeformer() override = default;
-  int RequestData(
-    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
-  const char* ContourArrayName() const override { return "EnergyContour"; }
+  void Deform(const Work& work) override;
+  const char* ContourArrayName() const override { return novelview::arrays::EnergyContour; }
   bool MovesOutline() const override { return true; }
 
   double ContourWeight = 0.3;
@@ -106,8 +79,6 @@ protected:
   double SearchRange = 2.0;
   int WindowRadius = 3;
   double ContourSigma = 8.0;
-  double SilhouettePrior = 0;
-  bool UseContourPrediction = true;
 
 private:
   vtkOutlineDeformer(const vtkOutlineDeformer&) = delete;

@@ -76,7 +76,7 @@ void PackPointData(const std::vector<int>& sources, vtkPolyData* input, vtkPolyD
   pointData->CopyAllOn();
   pointData->CopyAllocate(input->GetPointData(), count);
   vtkNew<vtkIdTypeArray> ids;
-  ids->SetName("OriginalPointId");
+  ids->SetName(novelview::arrays::SampleIds);
   ids->SetNumberOfValues(count);
   for (vtkIdType ptId = 0; ptId < count; ++ptId)
   {
@@ -91,7 +91,7 @@ void PackBalls(const novelview::MedialBalls& balls, vtkPolyData* output)
   output->SetPoints(PackPoints(balls.Centres));
   const vtkIdType count = output->GetNumberOfPoints();
   vtkNew<vtkDoubleArray> radii;
-  radii->SetName("Radius");
+  radii->SetName(novelview::arrays::Radius);
   radii->SetNumberOfValues(count);
   vtkNew<vtkUnsignedCharArray> labels;
   labels->SetName("Label");

@@ -12,7 +12,7 @@
  * Output 1: vtkPolyData, the polar (medial) balls: a point with a vertex cell for each centre.
  *
  * Output arrays, point data:
- *   output 0, DelaunayCrust  OriginalPointId  vtkIdType   the input point it is
+ *   output 0, DelaunayCrust  SampleIds        vtkIdType   the input point it is
  *   output 1                 Radius           double      world units
  *                            Label            uint8       1 = inner, 0 = outer ball
  *

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkViewDeformer.h"
 
+#include "DeformerWork.h"
 #include "FilterSupport.h"
-#include "deformation/Deformation.h"
-#include "deformation/TsdfDeformation.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkInformation.h>
+#include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -47,9 +47,9 @@ double MeanOver(const novelview::DeformationState& state, Member member)
 /** Displacement from the input's points, on top of what the input had. */
 void AddDisplacement(vtkPolyData* mesh, vtkPolyData* input)
 {
-  vtkDataArray* before = input->GetPointData()->GetArray("Displacement");
+  vtkDataArray* before = input->GetPointData()->GetArray(novelview::arrays::Displacement);
   vtkNew<vtkDoubleArray> array;
-  array->SetName("Displacement");
+  array->SetName(novelview::arrays::Displacement);
   array->SetNumberOfComponents(3);
   array->SetNumberOfTuples(mesh->GetNumberOfPoints());
   for (vtkIdType ptId = 0; ptId < mesh->GetNumberOfPoints(); ++ptId)
@@ -72,7 +72,7 @@ void AddDisplacement(vtkPolyData* mesh, vtkPolyData* input)
 void AddOutlineFlag(vtkPolyData* mesh, const std::vector<std::uint8_t>& active)
 {
   vtkNew<vtkUnsignedCharArray> array;
-  array->SetName("OutlineFlag");
+  array->SetName(novelview::arrays::OutlineFlag);
   array->SetNumberOfTuples(static_cast<vtkIdType>(active.size()));
   std::copy(active.begin(), active.end(), array->GetPointer(0));
   mesh->GetPointData()->AddArray(array);
@@ -122,14 +122,26 @@ int vtkViewDeformer::FillInputPortInformation(int port, vtkInformation* info)
 }
 
 //------------------------------------------------------------------------------
-novelview::TsdfDeformationOptions vtkViewDeformer::FieldOptions(vtkDataObject* views)
+int vtkViewDeformer::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  novelview::TsdfDeformationOptions options = novelview::OptionsForNoise(this->DepthNoise > 0
-      ? this->DepthNoise
-      : novelview::AttachedNumber(views, novelview::arrays::DepthNoise, 0));
-  options.Iterations = this->NumberOfIterations;
-  options.LastOnly = !this->HasObserver(IterationEvent);
-  return options;
+  return novelview::RunGuarded(this, outputs,
+    [&]
+    {
+      vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
+      novelview::ViewNeeds needs;
+      needs.Color = needs.ContourDistance = true;
+      const Work work{ novelview::RequireCamera(this->Camera),
+        novelview::ToTriangleMesh(input, "mesh"),
+        novelview::ReadViews(vtkMultiBlockDataSet::GetData(inputs[1]), needs, 2),
+        novelview::PointFlags(input, novelview::arrays::Visible, 1),
+        novelview::PointFlags(input, novelview::arrays::OutlineFlag, 0),
+        vtkDataObject::GetData(inputs[1]),
+        [&](const novelview::DeformationState& state) { this->ReportIteration(state, input); },
+        novelview::ExecutionFor(this) };
+      this->Deform(work);
+      vtkPolyData::GetData(outputs)->ShallowCopy(this->CurrentMesh);
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -139,10 +151,12 @@ void vtkViewDeformer::ReportIteration(const novelview::DeformationState& state, 
   novelview::FromTriangleMesh(*state.Mesh, mesh);
   mesh->GetPointData()->PassData(input->GetPointData());
   AddDisplacement(mesh, input);
-  AddEnergies(mesh, "Energy", *state.Energies, &novelview::PointEnergy::Total);
-  AddEnergies(mesh, "EnergyPhoto", *state.Energies, &novelview::PointEnergy::Photo);
+  AddEnergies(mesh, novelview::arrays::Energy, *state.Energies, &novelview::PointEnergy::Total);
+  AddEnergies(
+    mesh, novelview::arrays::EnergyPhoto, *state.Energies, &novelview::PointEnergy::Photo);
   AddEnergies(mesh, this->ContourArrayName(), *state.Energies, &novelview::PointEnergy::Contour);
-  AddEnergies(mesh, "EnergySmooth", *state.Energies, &novelview::PointEnergy::Smooth);
+  AddEnergies(
+    mesh, novelview::arrays::EnergySmooth, *state.Energies, &novelview::PointEnergy::Smooth);
   if (this->MovesOutline())
   {
     AddOutlineFlag(mesh, *state.Active);
@@ -163,8 +177,6 @@ void vtkViewDeformer::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   novelview::PrintCamera(os, indent, this->Camera);
   os << indent << "NumberOfIterations: " << this->NumberOfIterations << "\n";
-  os << indent << "UseDepthMaps: " << this->UseDepthMaps << "\n";
-  os << indent << "DepthNoise: " << this->DepthNoise << "\n";
   os << indent << "Iteration: " << this->Iteration << "\n";
   os << indent << "PointsMoved: " << this->PointsMoved << "\n";
   os << indent << "MeanEnergy: " << this->MeanEnergy << "\n";

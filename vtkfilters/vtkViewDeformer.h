@@ -19,6 +19,7 @@
 #ifndef vtkViewDeformer_h
 #define vtkViewDeformer_h
 
+#include "ArrayNames.h"
 #include "vtkNovelViewFiltersModule.h"
 #include <vtkCommand.h>
 #include <vtkPolyDataAlgorithm.h>
@@ -30,7 +31,6 @@ class vtkPinholeCamera;
 namespace novelview
 {
 struct DeformationState;
-struct TsdfDeformationOptions;
 }
 
 class VTKNOVELVIEWFILTERS_EXPORT vtkViewDeformer : public vtkPolyDataAlgorithm
@@ -58,26 +58,6 @@ public:
   ///@}
 
   ///@{
-  /**
-   * Take the positions from the depth maps of the views (arrays `Depth` and `Confidence`, as
-   * vtkReferenceDepthEstimator adds them) instead of the paper's energies. Default off.
-   */
-  vtkSetMacro(UseDepthMaps, bool);
-  vtkGetMacro(UseDepthMaps, bool);
-  vtkBooleanMacro(UseDepthMaps, bool);
-  ///@}
-
-  ///@{
-  /**
-   * With UseDepthMaps: by how many input pixel footprints the maps are off. The more, the more
-   * steadily and the less finely they are followed (TsdfDeformation.h). 0, the default, takes what
-   * vtkReferenceDepthEstimator measured. Range 0 to 10.
-   */
-  vtkSetClampMacro(DepthNoise, double, 0.0, 10.0);
-  vtkGetMacro(DepthNoise, double);
-  ///@}
-
-  ///@{
   /** State of the iteration that IterationEvent tells of; of the last one after an update. */
   vtkPolyData* GetCurrentMesh();
   vtkGetMacro(Iteration, int);
@@ -99,11 +79,21 @@ protected:
   ~vtkViewDeformer() override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
 
+  /**
+   * The body of RequestData(): reads the inputs, calls Deform(), and outputs CurrentMesh, which the
+   * listener that Deform() was given has made.
+   */
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) final;
+
+  /** What a deformer works on. */
+  struct Work;
+  /** Moves the points; throws novelview::Error. */
+  virtual void Deform(const Work& work) = 0;
+
   /** Packs a state into CurrentMesh and the means, and invokes IterationEvent. */
   void ReportIteration(const novelview::DeformationState& state, vtkPolyData* input);
 
-  /** How the depth maps of these views are followed. */
-  novelview::TsdfDeformationOptions FieldOptions(vtkDataObject* views);
   /** Name of the second energy array: `EnergyContour` or `EnergyHull`. */
   virtual const char* ContourArrayName() const = 0;
   /** Whether the points this filter moves are the outline points. */
@@ -112,8 +102,6 @@ protected:
   vtkSmartPointer<vtkPinholeCamera> Camera;
   vtkSmartPointer<vtkPolyData> CurrentMesh;
   int NumberOfIterations = 10;
-  bool UseDepthMaps = false;
-  double DepthNoise = 0;
   int Iteration = 0;
   vtkIdType PointsMoved = 0;
   double MeanEnergy = 0;

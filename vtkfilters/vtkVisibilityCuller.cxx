@@ -82,10 +82,10 @@ void SetPointData(vtkPointData* input, const std::vector<std::uint8_t>& visible,
   const auto kept = static_cast<vtkIdType>(keptIds.size());
   const vtkIdType count = kept + static_cast<vtkIdType>(cutEdges.size());
   vtkNew<vtkUnsignedCharArray> visibleArray;
-  visibleArray->SetName("Visible");
+  visibleArray->SetName(novelview::arrays::Visible);
   visibleArray->SetNumberOfTuples(count);
   vtkNew<vtkIdTypeArray> idArray;
-  idArray->SetName("OriginalPointIds");
+  idArray->SetName(novelview::arrays::OriginalPointIds);
   idArray->SetNumberOfTuples(count);
   output->CopyAllocate(input, count);
   for (vtkIdType ptId = 0; ptId < kept; ++ptId)

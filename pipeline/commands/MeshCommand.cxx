@@ -2,6 +2,7 @@
 #include "commands/MeshCommand.h"
 
 #include "Threads.h"
+#include "ViewAccess.h"
 #include "base/AtomicFile.h"
 #include "base/InputFile.h"
 #include "commands/CommandSupport.h"
@@ -56,11 +57,7 @@ void MakeMesh(const MeshOptions& options, Console& console)
   const Dataset dataset = ReadInput(options.Input, index, {}, console);
   Synthesis synthesis(dataset.Views, options.Synthesis, ListenerFor(console));
   vtkMultiBlockDataSet* views = synthesis.Photographs();
-  TriangleMesh mesh;
-  console.RunTimed("mesh",
-    [&] {
-      mesh = WholeMesh(synthesis.Crust(), views, options.Synthesis, options.UpTo != Stage::Hull);
-    });
+  const TriangleMesh mesh = ToTriangleMesh(synthesis.WholeObject(options.UpTo), "mesh");
   WriteModelFiles(mesh, views, options.Synthesis, options.TextureSizePx, options.Out, console);
   console.Summary();
 }

@@ -153,7 +153,7 @@ vtkSmartPointer<vtkActor> MeshActor(const Dashboard& state, vtkScalarsToColors* 
   vtkNew<vtkPolyData> shown;
   shown->SetPoints(state.Mesh->GetPoints());
   shown->SetPolys(state.Mesh->GetPolys());
-  vtkDataArray* displacement = state.Mesh->GetPointData()->GetArray("Displacement");
+  vtkDataArray* displacement = state.Mesh->GetPointData()->GetArray(arrays::Displacement);
   vtkNew<vtkFloatArray> moved;
   moved->SetNumberOfTuples(shown->GetNumberOfPoints());
   for (vtkIdType ptId = 0; ptId < shown->GetNumberOfPoints(); ++ptId)
@@ -189,7 +189,7 @@ vtkSmartPointer<vtkActor> OutlineActor(vtkPolyData* mesh, vtkIdType& count)
 {
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> dots;
-  vtkDataArray* flags = mesh->GetPointData()->GetArray("OutlineFlag");
+  vtkDataArray* flags = mesh->GetPointData()->GetArray(arrays::OutlineFlag);
   for (vtkIdType ptId = 0; flags && ptId < mesh->GetNumberOfPoints(); ++ptId)
   {
     if (flags->GetComponent(ptId, 0) != 0)

@@ -4,8 +4,6 @@
 #include "Threads.h"
 #include "ViewAccess.h"
 #include "cameras/CameraUp.h"
-#include "deformation/TsdfDeformation.h"
-#include "fusion/ModelRefinement.h"
 #include "geometry/MeshNeighbours.h"
 
 namespace novelview
@@ -50,20 +48,5 @@ TexturedModel MakeTexturedModel(const TriangleMesh& mesh, vtkMultiBlockDataSet* 
   }
   model.Up = UpOfCameras(cameras);
   return model;
-}
-
-TriangleMesh WholeMesh(
-  vtkPolyData* crust, vtkMultiBlockDataSet* views, const SynthesisOptions& options, bool refined)
-{
-  TriangleMesh mesh = ToTriangleMesh(crust, "power crust");
-  if (!refined || !options.UseDepthMaps)
-  {
-    return mesh;
-  }
-  const double noise =
-    options.DepthNoise > 0 ? options.DepthNoise : AttachedNumber(views, arrays::DepthNoise, 0);
-  ModelRefinementOptions refinement;
-  refinement.Fusion = OptionsForNoise(noise).Surface;
-  return RefineModel(mesh, ColouredViews(views), refinement, InParallel());
 }
 }

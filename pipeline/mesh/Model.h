@@ -31,13 +31,6 @@ struct TexturedModel
  */
 TexturedModel MakeTexturedModel(const TriangleMesh& mesh, vtkMultiBlockDataSet* views,
   const SynthesisOptions& options, int textureSizePx);
-
-/**
- * The whole object: the crust, refined by the depth maps for no camera in particular (RefineModel)
- * when `refined` and the views have depth maps. Throws Error.
- */
-TriangleMesh WholeMesh(
-  vtkPolyData* crust, vtkMultiBlockDataSet* views, const SynthesisOptions& options, bool refined);
 }
 
 #endif

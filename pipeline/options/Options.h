@@ -60,7 +60,8 @@ struct Option
   double Min = -Unlimited;
   double Max = Unlimited;
   std::vector<std::string> Choices = {}; ///< of a text; empty = any
-  bool InJob = true; ///< false: cannot change the result, so it is read from jobs, not written
+  bool InJob = true;   ///< false: cannot change the result, so it is read from jobs, not written
+  bool OfScene = true; ///< false: does not matter before there is a novel camera, nor to the cache
   bool Positional = false; ///< on the command line a word without flag
 };
 using OptionTable = std::vector<Option>;

@@ -147,36 +147,29 @@ public:
     return std::max(processors / this->Place.SizeHere, 1);
   }
 
-  void Share(SceneGeometry& results) override
+  void Share(SceneGeometry& scene) override
   {
     this->AwaitBroadcast();
-    int has[2] = { results.Crust != nullptr, 0 };
+    std::vector<SceneSection> sections;
     if (this->Rank() == 0)
     {
-      has[1] = static_cast<int>(results.Views->GetNumberOfBlocks());
+      sections = PackScene({ nullptr, scene.Crust, nullptr, scene.Views, {} });
     }
-    this->Controller->Broadcast(has, 2, 0);
+    long long count = static_cast<long long>(sections.size());
+    this->Controller->Broadcast(&count, 1, 0);
+    sections.resize(static_cast<std::size_t>(count));
+    for (SceneSection& section : sections)
+    {
+      this->Broadcast(section.Name);
+      this->Broadcast(section.Bytes);
+      if (this->Rank() == 0)
+      {
+        section.Bytes = {};
+      }
+    }
     if (this->Rank() != 0)
     {
-      results.Views = vtkSmartPointer<vtkMultiBlockDataSet>::New();
-      results.Crust = has[0] ? vtkSmartPointer<vtkPolyData>::New() : nullptr;
-    }
-    if (has[0])
-    {
-      this->Controller->Broadcast(results.Crust, 0);
-    }
-    for (int viewId = 0; viewId < has[1]; ++viewId)
-    {
-      this->ShareView(results.Views, static_cast<unsigned int>(viewId));
-    }
-    for (const char* name : SharedNumbers)
-    {
-      double value = this->Rank() == 0 ? AttachedNumber(results.Views, name, -1) : 0;
-      this->Controller->Broadcast(&value, 1, 0);
-      if (this->Rank() != 0 && value >= 0)
-      {
-        AttachNumber(results.Views, name, value);
-      }
+      scene = Received(std::move(sections));
     }
   }
 
@@ -243,21 +236,36 @@ private:
     this->Controller->Receive(&go, 1, 0, GoTag);
   }
 
-  void ShareView(vtkMultiBlockDataSet* views, unsigned int viewId)
+  /** The first process's text in all of them; in parts, since MPI counts in 32 bits. */
+  void Broadcast(std::string& text)
   {
-    std::string name = this->Rank() == 0 ? ViewName(views, viewId) : "";
-    int length = static_cast<int>(name.size());
-    this->Controller->Broadcast(&length, 1, 0);
-    name.resize(static_cast<std::size_t>(length));
-    this->Controller->Broadcast(name.data(), length, 0);
-    if (this->Rank() == 0)
+    long long size = static_cast<long long>(text.size());
+    this->Controller->Broadcast(&size, 1, 0);
+    text.resize(static_cast<std::size_t>(size));
+    constexpr long long part = 1 << 28;
+    for (long long done = 0; done < size; done += part)
     {
-      this->Controller->Broadcast(ViewImage(views, viewId), 0);
-      return;
+      this->Controller->Broadcast(
+        text.data() + done, static_cast<vtkIdType>(std::min(part, size - done)), 0);
     }
-    vtkNew<vtkImageData> image;
-    this->Controller->Broadcast(image, 0);
-    AppendView(views, name, image, AttachedCamera(image, name));
+  }
+
+  static SceneGeometry Received(std::vector<SceneSection> sections)
+  {
+    SceneSource source;
+    for (const SceneSection& section : sections)
+    {
+      source.Names.push_back(section.Name);
+    }
+    source.Read = [&sections](const std::string& name)
+    {
+      return std::move(std::find_if(sections.begin(), sections.end(),
+        [&name](const SceneSection& each) {
+          return each.Name == name;
+        })->Bytes);
+    };
+    source.Where = [](const std::string& name) { return name + " from another process"; };
+    return UnpackScene(source);
   }
 
   // ---- the other processes

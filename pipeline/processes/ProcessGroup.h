@@ -3,7 +3,7 @@
 #ifndef novelview_ProcessGroup_h
 #define novelview_ProcessGroup_h
 
-#include "synthesis/StageCache.h"
+#include "synthesis/SceneGeometry.h"
 
 #include <vtkImageData.h>
 #include <vtkSmartPointer.h>
@@ -59,8 +59,8 @@ public:
   /** Threads that are this process's share of the machine, while others work as well. */
   virtual int ThreadsHere() const { return 0; }
 
-  /** Gives what the first process has to all of them: Crust, and Views with their numbers. */
-  virtual void Share(SceneGeometry& results);
+  /** Gives what the first process has to all of them: the crust, if any, and the views. */
+  virtual void Share(SceneGeometry& scene);
 
   /**
    * Calls `make` once for each item below `count`, in whichever process has nothing else to do,

@@ -46,12 +46,12 @@ std::string SystemText()
 }
 }
 
-std::string ComposeCacheFile(const std::string& key, std::vector<CacheSection> sections)
+std::string ComposeCacheFile(const std::string& key, std::vector<SceneSection> sections)
 {
   ByteWriter entries;
   entries.AddText(key);
   std::size_t bytes = 0;
-  for (const CacheSection& section : sections)
+  for (const SceneSection& section : sections)
   {
     entries.AddText(section.Name);
     entries.Add<std::uint64_t>(section.Bytes.size());
@@ -68,7 +68,7 @@ std::string ComposeCacheFile(const std::string& key, std::vector<CacheSection> s
   file.Add(start);
   file.AddBytes(entries.Written.data(), entries.Written.size());
   file.Add(Checksum(file.Written));
-  for (CacheSection& section : sections)
+  for (SceneSection& section : sections)
   {
     const std::string taken = std::move(section.Bytes);
     file.AddBytes(taken.data(), taken.size());
@@ -174,6 +174,14 @@ std::string CacheFile::CheckedDirectory() const
     throw Error(where, "the checksum of its directory is wrong");
   }
   return directory;
+}
+
+std::vector<std::string> CacheFile::Names() const
+{
+  std::vector<std::string> names;
+  std::transform(this->Entries.begin(), this->Entries.end(), std::back_inserter(names),
+    [](const Entry& entry) { return entry.Name; });
+  return names;
 }
 
 std::string CacheFile::Read(const std::string& name) const

@@ -2,6 +2,8 @@
 #ifndef novelview_CacheFile_h
 #define novelview_CacheFile_h
 
+#include "synthesis/SceneGeometry.h"
+
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -9,13 +11,6 @@
 
 namespace novelview
 {
-/** A named part of a cache file. */
-struct CacheSection
-{
-  std::string Name;
-  std::string Bytes;
-};
-
 /**
  * The bytes of a cache file: a directory, then the sections without gaps. The directory has
  *
@@ -26,7 +21,7 @@ struct CacheSection
  * so that every byte is under a checksum. They are taken of the bytes in memory. Numbers are in this
  * machine's byte order. Releases the sections' bytes on the way.
  */
-std::string ComposeCacheFile(const std::string& key, std::vector<CacheSection> sections);
+std::string ComposeCacheFile(const std::string& key, std::vector<SceneSection> sections);
 
 /** An open cache file; Read() may be called from several threads. */
 class CacheFile
@@ -40,6 +35,9 @@ public:
 
   /** Whether there is anything at the path, as far as can be told: a file, a folder, a secret. */
   static bool Exists(const std::filesystem::path& path);
+
+  /** The names of the sections. */
+  std::vector<std::string> Names() const;
 
   /** The bytes of a section. Throws Error when there is none, or its checksum is wrong. */
   std::string Read(const std::string& name) const;

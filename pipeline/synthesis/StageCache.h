@@ -2,36 +2,17 @@
 #ifndef novelview_StageCache_h
 #define novelview_StageCache_h
 
-#include "ViewAccess.h"
+#include "synthesis/SceneGeometry.h"
 
 #include <vtkMultiBlockDataSet.h>
-#include <vtkPolyData.h>
-#include <vtkSmartPointer.h>
 
-#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace novelview
 {
 struct SynthesisOptions;
-
-/** The numbers that views have as a whole. */
-inline constexpr std::array<const char*, 2> SharedNumbers = { arrays::DepthNoise,
-  arrays::SilhouettePrior };
-
-/** What the stages make of the photographs for every novel camera alike. */
-struct SceneGeometry
-{
-  vtkSmartPointer<vtkPolyData> Hull;
-  vtkSmartPointer<vtkPolyData> Crust;
-  vtkSmartPointer<vtkPolyData> MedialBalls;
-  vtkSmartPointer<vtkMultiBlockDataSet>
-    Views;                           ///< the photographs as deformers and mapper want them
-  std::vector<std::string> Warnings; ///< what was said on the way
-};
 
 /**
  * Keeps SceneGeometry results in a folder, one file DIR/KEY.nvcache each (CacheFile). KEY is a hash

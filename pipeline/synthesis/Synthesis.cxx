@@ -108,6 +108,19 @@ public:
     return vtkMultiBlockDataSet::SafeDownCast(source->GetOutputDataObject(0));
   }
 
+  vtkPolyData* WholeObject(Stage upTo)
+  {
+    vtkPolyData* crust = this->Crust();
+    if (upTo == Stage::Hull || !this->Options.UseDepthMaps)
+    {
+      return crust;
+    }
+    this->Filters.Refiner->SetInputData(0, crust);
+    this->Filters.Refiner->SetInputData(1, this->Photographs());
+    this->Run("mesh", this->Filters.Refiner);
+    return this->Filters.Refiner->GetOutput();
+  }
+
   /** With `all`, every stage is textured; otherwise only the last. */
   std::vector<NovelView> Render(const Camera& camera, Stage upTo, bool all)
   {
@@ -439,6 +452,11 @@ vtkPolyData* Synthesis::MedialBalls()
 vtkMultiBlockDataSet* Synthesis::Photographs()
 {
   return this->Impl->Photographs();
+}
+
+vtkPolyData* Synthesis::WholeObject(Stage upTo)
+{
+  return this->Impl->WholeObject(upTo);
 }
 
 NovelView Synthesis::Render(const Camera& camera, Stage upTo)

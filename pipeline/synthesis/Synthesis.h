@@ -78,6 +78,12 @@ public:
   /** The photographs as the mapper has them: silhouettes reconciled, with depth maps if wanted. */
   vtkMultiBlockDataSet* Photographs();
 
+  /**
+   * The whole object, for no camera in particular: the crust and, with depth maps and
+   * `upTo` beyond the hull, refined by them (vtkWholeObjectRefiner).
+   */
+  vtkPolyData* WholeObject(Stage upTo);
+
   /** The picture the camera would take, with the geometry refined up to `upTo`. */
   NovelView Render(const Camera& camera, Stage upTo);
 

@@ -64,6 +64,16 @@ SynthesisOptions PresetOptions(const std::string& preset)
   throw Error("preset", "unknown", preset, "best or paper");
 }
 
+namespace
+{
+/** An option that matters only once there is a novel camera. */
+Option OfView(Option option)
+{
+  option.OfScene = false;
+  return option;
+}
+}
+
 OptionTable OptionsOf(SynthesisOptions& options)
 {
   const char* const hull = "Visual hull";
@@ -72,11 +82,12 @@ OptionTable OptionsOf(SynthesisOptions& options)
   const char* const depth = "Depth maps";
   const char* const texture = "Texture mapper";
   return {
-    { "preset", "defaults of all stage options: the paper's, or what gives the best pictures", "",
-      "Method", &options.Preset, -Unlimited, Unlimited, { "best", "paper" } },
-    { "cache",
+    OfView(
+      { "preset", "defaults of all stage options: the paper's, or what gives the best pictures", "",
+        "Method", &options.Preset, -Unlimited, Unlimited, { "best", "paper" } }),
+    OfView({ "cache",
       "folder that keeps hull, crust and depth maps for further runs on the same photographs", "",
-      "Method", &options.Cache },
+      "Method", &options.Cache }),
     { "reconcileSilhouettes", "enlarge silhouettes that are too small for all the others", "", hull,
       &options.ReconcileSilhouettes },
     { "hullSpacing", "distance between surface samples, in the photographs", "px", hull,
@@ -84,43 +95,48 @@ OptionTable OptionsOf(SynthesisOptions& options)
     { "hullBox", "search box x0,y0,z0,x1,y1,z1; found from the silhouettes when not given",
       "world units", hull, &options.HullBox },
     { "hullKeepAll", "keep every component, not only the largest", "", hull, &options.HullKeepAll },
-    { "longestEdge",
+    OfView({ "longestEdge",
       "cut longer edges of what the novel camera sees at their middle, once; 0 = leave all whole",
-      "px", "Visibility culler", &options.LongestEdgePx, 0, 1000 },
-    { "outlineIterations", "most rounds of moves", "", outline, &options.OutlineIterations, 0,
-      1000 },
-    { "outlineAlpha", "weight of the contour energy", "", outline, &options.OutlineAlpha, 0, 100 },
-    { "outlineBeta", "weight of the smoothness energy", "", outline, &options.OutlineBeta, 0, 100 },
-    { "outlineSearch", "how far to either side a point may look", "px", outline,
-      &options.OutlineSearchPx, 0.25, 50 },
-    { "nonOutlineIterations", "most rounds of moves", "", nonOutline, &options.NonOutlineIterations,
-      0, 1000 },
-    { "nonOutlineAlpha", "weight of the smoothness energy", "", nonOutline,
-      &options.NonOutlineAlpha, 0, 100 },
+      "px", "Visibility culler", &options.LongestEdgePx, 0, 1000 }),
+    OfView({ "outlineIterations", "most rounds of moves", "", outline, &options.OutlineIterations,
+      0, 1000 }),
+    OfView({ "outlineAlpha", "weight of the contour energy", "", outline, &options.OutlineAlpha, 0,
+      100 }),
+    OfView({ "outlineBeta", "weight of the smoothness energy", "", outline, &options.OutlineBeta, 0,
+      100 }),
+    OfView({ "outlineSearch", "how far to either side a point may look", "px", outline,
+      &options.OutlineSearchPx, 0.25, 50 }),
+    OfView({ "nonOutlineIterations", "most rounds of moves", "", nonOutline,
+      &options.NonOutlineIterations, 0, 1000 }),
+    OfView({ "nonOutlineAlpha", "weight of the smoothness energy", "", nonOutline,
+      &options.NonOutlineAlpha, 0, 100 }),
     { "depthMaps",
       "find the surface by a depth map in every photograph, not by the paper's energies", "", depth,
       &options.UseDepthMaps },
-    { "silhouettePrior",
+    OfView({ "silhouettePrior",
       "weight of 'object' against the depth maps' votes at the outline; 0 = found from the data",
-      "", depth, &options.SilhouettePrior, 0, 10 },
-    { "depthNoise",
+      "", depth, &options.SilhouettePrior, 0, 10 }),
+    OfView({ "depthNoise",
       "by how much the depth maps are off: how finely they are followed; 0 = measured",
-      "pixel footprints", depth, &options.DepthNoise, 0, 10 },
-    { "contourPrediction",
+      "pixel footprints", depth, &options.DepthNoise, 0, 10 }),
+    OfView({ "contourPrediction",
       "refine the outline by the contour interpolated from the photographs' contours", "", depth,
-      &options.ContourPrediction },
-    { "references", "photographs blended per pixel", "", texture, &options.References, 1, 64 },
-    { "power", "m of the blending weight cos(angle)^m", "", texture, &options.Power, 0, 64 },
-    { "feather", "a photograph's weight grows over this from its silhouette's border inwards", "px",
-      texture, &options.FeatherPx, 0.01, 100 },
-    { "occlusionSoftness", "softness of the occlusion test; 0 = hard", "pixel footprints", texture,
-      &options.OcclusionSoftness, 0, 100 },
-    { "exposureGains", "bring the photographs to one exposure; needs the depth maps", "", texture,
-      &options.ExposureGains },
-    { "rimSamples", "subsamples per pixel side at the rim, odd; 1 = no antialiasing", "", texture,
-      &options.RimSamples, 1, 9 },
-    { "softRim", "draw also pixels of which less than half is covered; for films", "", texture,
-      &options.SoftRim },
+      &options.ContourPrediction }),
+    OfView(
+      { "references", "photographs blended per pixel", "", texture, &options.References, 1, 64 }),
+    OfView(
+      { "power", "m of the blending weight cos(angle)^m", "", texture, &options.Power, 0, 64 }),
+    OfView(
+      { "feather", "a photograph's weight grows over this from its silhouette's border inwards",
+        "px", texture, &options.FeatherPx, 0.01, 100 }),
+    OfView({ "occlusionSoftness", "softness of the occlusion test; 0 = hard", "pixel footprints",
+      texture, &options.OcclusionSoftness, 0, 100 }),
+    OfView({ "exposureGains", "bring the photographs to one exposure; needs the depth maps", "",
+      texture, &options.ExposureGains }),
+    OfView({ "rimSamples", "subsamples per pixel side at the rim, odd; 1 = no antialiasing", "",
+      texture, &options.RimSamples, 1, 9 }),
+    OfView({ "softRim", "draw also pixels of which less than half is covered; for films", "",
+      texture, &options.SoftRim }),
   };
 }
 }

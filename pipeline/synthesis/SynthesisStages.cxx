@@ -2,11 +2,54 @@
 #include "synthesis/SynthesisStages.h"
 
 #include "ViewAccess.h"
+#include "vtkNonOutlineDeformer.h"
+#include "vtkOutlineDeformer.h"
 #include "vtkPinholeCamera.h"
+#include "vtkTsdfNonOutlineDeformer.h"
+#include "vtkTsdfOutlineDeformer.h"
 
 namespace novelview
 {
+namespace
+{
+vtkSmartPointer<vtkViewDeformer> MakeOutlineDeformer(const SynthesisOptions& options)
+{
+  if (options.UseDepthMaps)
+  {
+    const auto deformer = vtkSmartPointer<vtkTsdfOutlineDeformer>::New();
+    deformer->SetNumberOfIterations(options.OutlineIterations);
+    deformer->SetSilhouettePrior(options.SilhouettePrior);
+    deformer->SetUseContourPrediction(options.ContourPrediction);
+    deformer->SetDepthNoise(options.DepthNoise);
+    return deformer;
+  }
+  const auto deformer = vtkSmartPointer<vtkOutlineDeformer>::New();
+  deformer->SetNumberOfIterations(options.OutlineIterations);
+  deformer->SetContourWeight(options.OutlineAlpha);
+  deformer->SetSmoothWeight(options.OutlineBeta);
+  deformer->SetSearchRange(options.OutlineSearchPx);
+  return deformer;
+}
+
+vtkSmartPointer<vtkViewDeformer> MakeNonOutlineDeformer(const SynthesisOptions& options)
+{
+  if (options.UseDepthMaps)
+  {
+    const auto deformer = vtkSmartPointer<vtkTsdfNonOutlineDeformer>::New();
+    deformer->SetNumberOfIterations(options.NonOutlineIterations);
+    deformer->SetDepthNoise(options.DepthNoise);
+    return deformer;
+  }
+  const auto deformer = vtkSmartPointer<vtkNonOutlineDeformer>::New();
+  deformer->SetNumberOfIterations(options.NonOutlineIterations);
+  deformer->SetSmoothWeight(options.NonOutlineAlpha);
+  return deformer;
+}
+}
+
 SynthesisStages::SynthesisStages(vtkMultiBlockDataSet* views, const SynthesisOptions& options)
+  : Outline(MakeOutlineDeformer(options))
+  , NonOutline(MakeNonOutlineDeformer(options))
 {
   this->Views->SetOutput(views);
   this->Reconciler->SetInputConnection(this->Views->GetOutputPort());
@@ -20,8 +63,8 @@ SynthesisStages::SynthesisStages(vtkMultiBlockDataSet* views, const SynthesisOpt
   this->NonOutline->SetInputConnection(0, this->Outline->GetOutputPort());
   this->Culler->SetMaximumEdgeLength(options.LongestEdgePx);
   this->SetHullOptions(options);
-  this->SetDeformerOptions(options);
   this->SetMapperOptions(options);
+  this->Refiner->SetDepthNoise(options.DepthNoise);
 }
 
 void SynthesisStages::ConnectViews(vtkAlgorithmOutput* silhouettes, bool useDepthMaps)
@@ -45,23 +88,6 @@ void SynthesisStages::SetHullOptions(const SynthesisOptions& options)
     const auto& b = *options.HullBox;
     this->HullSource->SetSearchBounds(b[0], b[3], b[1], b[4], b[2], b[5]);
   }
-}
-
-void SynthesisStages::SetDeformerOptions(const SynthesisOptions& options)
-{
-  this->Outline->SetNumberOfIterations(options.OutlineIterations);
-  this->Outline->SetContourWeight(options.OutlineAlpha);
-  this->Outline->SetSmoothWeight(options.OutlineBeta);
-  this->Outline->SetSearchRange(options.OutlineSearchPx);
-  this->Outline->SetUseDepthMaps(options.UseDepthMaps);
-  this->Outline->SetSilhouettePrior(options.SilhouettePrior);
-  this->Outline->SetUseContourPrediction(options.ContourPrediction);
-  this->Outline->SetDepthNoise(options.DepthNoise);
-
-  this->NonOutline->SetNumberOfIterations(options.NonOutlineIterations);
-  this->NonOutline->SetSmoothWeight(options.NonOutlineAlpha);
-  this->NonOutline->SetUseDepthMaps(options.UseDepthMaps);
-  this->NonOutline->SetDepthNoise(options.DepthNoise);
 }
 
 void SynthesisStages::SetMapperOptions(const SynthesisOptions& options)

@@ -4,16 +4,17 @@
 
 #include "geometry/Camera.h"
 #include "synthesis/Synthesis.h"
-#include "vtkNonOutlineDeformer.h"
-#include "vtkOutlineDeformer.h"
 #include "vtkPowerCrustMesher.h"
 #include "vtkReferenceDepthEstimator.h"
 #include "vtkSilhouetteReconciler.h"
+#include "vtkViewDeformer.h"
 #include "vtkViewDependentTextureMapper.h"
 #include "vtkVisibilityCuller.h"
 #include "vtkVisualHullSource.h"
+#include "vtkWholeObjectRefiner.h"
 
 #include <vtkNew.h>
+#include <vtkSmartPointer.h>
 #include <vtkTrivialProducer.h>
 
 class vtkAlgorithmOutput;
@@ -38,14 +39,14 @@ struct SynthesisStages
   vtkNew<vtkPowerCrustMesher> Mesher;
   vtkNew<vtkReferenceDepthEstimator> DepthEstimator;
   vtkNew<vtkVisibilityCuller> Culler;
-  vtkNew<vtkOutlineDeformer> Outline;
-  vtkNew<vtkNonOutlineDeformer> NonOutline;
+  vtkSmartPointer<vtkViewDeformer> Outline;    ///< the paper's, or the one that follows depth maps
+  vtkSmartPointer<vtkViewDeformer> NonOutline; ///< the same
   vtkNew<vtkViewDependentTextureMapper> Mapper;
+  vtkNew<vtkWholeObjectRefiner> Refiner; ///< not connected
 
 private:
   void ConnectViews(vtkAlgorithmOutput* silhouettes, bool useDepthMaps);
   void SetHullOptions(const SynthesisOptions& options);
-  void SetDeformerOptions(const SynthesisOptions& options);
   void SetMapperOptions(const SynthesisOptions& options);
 };
 }

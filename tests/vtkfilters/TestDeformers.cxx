@@ -7,6 +7,8 @@
 #include "support/VtkScene.h"
 #include "vtkNonOutlineDeformer.h"
 #include "vtkOutlineDeformer.h"
+#include "vtkTsdfNonOutlineDeformer.h"
+#include "vtkTsdfOutlineDeformer.h"
 
 #include <vtkPointData.h>
 #include <vtkUnsignedCharArray.h>
@@ -274,7 +276,6 @@ struct MappedCase
   {
     auto deformer = TheCase().With<Deformer>();
     deformer->SetInputData(1, this->Blocks);
-    deformer->UseDepthMapsOn();
     return deformer;
   }
 };
@@ -296,10 +297,10 @@ std::vector<Vector3d> Updated(vtkViewDeformer* deformer)
 }
 }
 
-TEST(OutlineDeformer, ContourPredictionIsOnUntilSwitchedOff)
+TEST(TsdfOutlineDeformer, ContourPredictionIsOnUntilSwitchedOff)
 {
   const MappedCase mapped;
-  const auto deformer = mapped.With<vtkOutlineDeformer>();
+  const auto deformer = mapped.With<vtkTsdfOutlineDeformer>();
   const auto with = Updated(deformer);
   EXPECT_EQ(with, OutlineOf(mapped, OptionsForNoise(0)));
   deformer->UseContourPredictionOff();
@@ -310,10 +311,10 @@ TEST(OutlineDeformer, ContourPredictionIsOnUntilSwitchedOff)
   EXPECT_NE(without, with);
 }
 
-TEST(OutlineDeformer, TakesTheNoiseAndPriorThatAreSetBeforeThoseOfTheViews)
+TEST(TsdfOutlineDeformer, TakesTheNoiseAndPriorThatAreSetBeforeThoseOfTheViews)
 {
   const MappedCase mapped;
-  const auto deformer = mapped.With<vtkOutlineDeformer>();
+  const auto deformer = mapped.With<vtkTsdfOutlineDeformer>();
   const auto plain = Updated(deformer);
   AttachNumber(mapped.Blocks, arrays::DepthNoise, 0.8);
   AttachNumber(mapped.Blocks, arrays::SilhouettePrior, 0.5);
@@ -332,10 +333,10 @@ TEST(OutlineDeformer, TakesTheNoiseAndPriorThatAreSetBeforeThoseOfTheViews)
   EXPECT_NE(told, measured);
 }
 
-TEST(NonOutlineDeformer, FollowsTheMapsByTheNoiseThatIsSetOrMeasured)
+TEST(TsdfNonOutlineDeformer, FollowsTheMapsByTheNoiseThatIsSetOrMeasured)
 {
   const MappedCase mapped;
-  const auto deformer = mapped.With<vtkNonOutlineDeformer>();
+  const auto deformer = mapped.With<vtkTsdfNonOutlineDeformer>();
   const auto plain = Updated(deformer);
   deformer->SetDepthNoise(0.8);
   const auto told = Updated(deformer);
@@ -346,9 +347,9 @@ TEST(NonOutlineDeformer, FollowsTheMapsByTheNoiseThatIsSetOrMeasured)
   EXPECT_EQ(Updated(deformer), told);
 }
 
-TEST(ViewDeformer, DepthNoiseIsClampedToItsRange)
+TEST(TsdfDeformer, DepthNoiseIsClampedToItsRange)
 {
-  const auto outline = TheCase().With<vtkOutlineDeformer>();
+  const auto outline = TheCase().With<vtkTsdfOutlineDeformer>();
   outline->SetDepthNoise(-1);
   EXPECT_EQ(outline->GetDepthNoise(), 0);
   outline->SetDepthNoise(11);
@@ -357,15 +358,19 @@ TEST(ViewDeformer, DepthNoiseIsClampedToItsRange)
 
 TEST(ViewDeformer, PrintsEveryMember)
 {
-  const std::vector<std::string> shared{ "Camera", "NumberOfIterations", "UseDepthMaps",
-    "DepthNoise", "Iteration", "PointsMoved", "MeanEnergy", "MeanPhotoEnergy", "MeanContourEnergy",
-    "MeanSmoothEnergy", "CurrentMesh" };
+  const std::vector<std::string> shared{ "Camera", "NumberOfIterations", "Iteration", "PointsMoved",
+    "MeanEnergy", "MeanPhotoEnergy", "MeanContourEnergy", "MeanSmoothEnergy", "CurrentMesh" };
   const auto outline = TheCase().With<vtkOutlineDeformer>();
   ExpectPrints(outline, shared);
-  ExpectPrints(outline,
-    { "ContourWeight", "SmoothWeight", "SearchRange", "WindowRadius", "ContourSigma",
-      "SilhouettePrior", "UseContourPrediction" });
+  ExpectPrints(
+    outline, { "ContourWeight", "SmoothWeight", "SearchRange", "WindowRadius", "ContourSigma" });
   const auto inner = TheCase().With<vtkNonOutlineDeformer>();
   ExpectPrints(inner, shared);
   ExpectPrints(inner, { "SmoothWeight", "SearchRange", "WindowRadius", "MatchRange" });
+  const auto tsdfOutline = TheCase().With<vtkTsdfOutlineDeformer>();
+  ExpectPrints(tsdfOutline, shared);
+  ExpectPrints(tsdfOutline, { "DepthNoise", "SilhouettePrior", "UseContourPrediction" });
+  const auto tsdfInner = TheCase().With<vtkTsdfNonOutlineDeformer>();
+  ExpectPrints(tsdfInner, shared);
+  ExpectPrints(tsdfInner, { "DepthNoise" });
 }

@@ -95,7 +95,7 @@ TEST(PowerCrustMesher, DelaunayCrustKeepsSamplesAndTheirData)
   EXPECT_EQ(CountBadEdges(mesh), 0);
   // A torus: V - E + F = 0 and E = 3 F / 2 give F = 2 V.
   EXPECT_EQ(mesh->GetNumberOfPolys(), 2 * mesh->GetNumberOfPoints());
-  auto* ids = vtkIdTypeArray::SafeDownCast(mesh->GetPointData()->GetArray("OriginalPointId"));
+  auto* ids = vtkIdTypeArray::SafeDownCast(mesh->GetPointData()->GetArray("SampleIds"));
   vtkDataArray* numbers = mesh->GetPointData()->GetArray("Number");
   ASSERT_NE(ids, nullptr);
   ASSERT_NE(numbers, nullptr);

@@ -98,6 +98,53 @@ TEST_F(StageCacheTest, EverythingTheResultsFollowFromIsInTheKey)
     }));
 }
 
+TEST_F(StageCacheTest, EveryOptionOfTheSceneIsInTheKeyAndNoOther)
+{
+  const auto entry = [this](const SynthesisOptions& options)
+  { return StageCache("c", this->Views, options).Entry(); };
+  const auto change = [](const Option& option)
+  {
+    if (auto* const* flag = std::get_if<bool*>(&option.Target))
+    {
+      **flag = !**flag;
+    }
+    else if (auto* const* number = std::get_if<double*>(&option.Target))
+    {
+      **number += 0.5;
+    }
+    else if (auto* const* count = std::get_if<int*>(&option.Target))
+    {
+      **count += 2;
+    }
+    else if (auto* const* box = std::get_if<std::optional<std::array<double, 6>>*>(&option.Target))
+    {
+      **box = { 0, 0, 0, 1, 1, 1 };
+    }
+    else if (auto* const* path = std::get_if<fs::path*>(&option.Target))
+    {
+      **path = "elsewhere";
+    }
+    else
+    {
+      *std::get<std::string*>(option.Target) = "paper";
+    }
+  };
+  SynthesisOptions options = PresetOptions("best");
+  const fs::path plain = entry(options);
+  const OptionTable table = OptionsOf(options);
+  EXPECT_GT(table.size(), 20u);
+  int ofScene = 0;
+  for (const Option& option : table)
+  {
+    const SynthesisOptions before = options;
+    change(option);
+    EXPECT_EQ(entry(options) != plain, option.OfScene) << option.Key;
+    ofScene += option.OfScene;
+    options = before;
+  }
+  EXPECT_EQ(ofScene, 5);
+}
+
 TEST_F(StageCacheTest, CacheManifestUncheckedIsNoMore)
 {
   // The numbers and the warnings have a checksum as everything has.

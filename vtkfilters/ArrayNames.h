@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/** The names of all arrays that filters read and write. ViewAccess.h and the filters say what they hold. */
+#ifndef novelview_ArrayNames_h
+#define novelview_ArrayNames_h
+
+namespace novelview::arrays
+{
+// ---- of views and pictures
+inline constexpr const char* Color = "Color";
+inline constexpr const char* Mask = "Mask";
+inline constexpr const char* ContourDistance = "ContourDistance";
+inline constexpr const char* Depth = "Depth";
+inline constexpr const char* Confidence = "Confidence";
+inline constexpr const char* CellId = "CellId";
+inline constexpr const char* Seen = "Seen";
+inline constexpr const char* CameraMatrix = "CameraMatrix";
+inline constexpr const char* Rotation = "Rotation";
+inline constexpr const char* Translation = "Translation";
+inline constexpr const char* ExposureGain = "ExposureGain";
+inline constexpr const char* ContourOffset = "ContourOffset";
+// ---- of all views together
+inline constexpr const char* DepthNoise = "DepthNoise";
+inline constexpr const char* SilhouettePrior = "SilhouettePrior";
+// ---- of meshes
+inline constexpr const char* Normals = "Normals";
+inline constexpr const char* Radius = "Radius";
+inline constexpr const char* SampleIds = "SampleIds";
+inline constexpr const char* OriginalPointIds = "OriginalPointIds";
+inline constexpr const char* Visible = "Visible";
+inline constexpr const char* OutlineFlag = "OutlineFlag";
+inline constexpr const char* Displacement = "Displacement";
+inline constexpr const char* Energy = "Energy";
+inline constexpr const char* EnergyPhoto = "EnergyPhoto";
+inline constexpr const char* EnergyContour = "EnergyContour";
+inline constexpr const char* EnergyHull = "EnergyHull";
+inline constexpr const char* EnergySmooth = "EnergySmooth";
+}
+
+#endif

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class vtkTsdfDeformer
+ * @brief What the deformers share that follow depth maps.
+ *
+ * The depth maps of the views (arrays `Depth` and `Confidence`, as vtkReferenceDepthEstimator adds
+ * them) are fused into a truncated signed distance (TsdfField.h), and the points move onto its zero
+ * crossing instead of minimising the paper's energies.
+ *
+ * Ports and arrays: see vtkViewDeformer; in 1 needs the arrays above, too.
+ */
+#ifndef vtkTsdfDeformer_h
+#define vtkTsdfDeformer_h
+
+#include "vtkViewDeformer.h"
+
+class vtkDataObject;
+
+namespace novelview
+{
+struct TsdfDeformationOptions;
+}
+
+class VTKNOVELVIEWFILTERS_EXPORT vtkTsdfDeformer : public vtkViewDeformer
+{
+public:
+  vtkTypeMacro(vtkTsdfDeformer, vtkViewDeformer);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * By how many input pixel footprints the maps are off. The more, the more steadily and the less
+   * finely they are followed (TsdfDeformation.h). 0, the default, takes what
+   * vtkReferenceDepthEstimator measured. Range 0 to 10.
+   */
+  vtkSetClampMacro(DepthNoise, double, 0.0, 10.0);
+  vtkGetMacro(DepthNoise, double);
+  ///@}
+
+protected:
+  vtkTsdfDeformer() = default;
+  ~vtkTsdfDeformer() override = default;
+
+  /** How the depth maps of these views are followed. */
+  novelview::TsdfDeformationOptions TsdfOptions(vtkDataObject* views);
+
+  double DepthNoise = 0;
+
+private:
+  vtkTsdfDeformer(const vtkTsdfDeformer&) = delete;
+  void operator=(const vtkTsdfDeformer&) = delete;
+};
+
+#endif

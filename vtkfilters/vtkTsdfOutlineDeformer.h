@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class vtkTsdfOutlineDeformer
+ * @brief Moves the outline points of a mesh onto the silhouette that fused depth maps show.
+ *
+ * The sibling of vtkOutlineDeformer for views with depth maps. Outline points move, in the plane
+ * through them parallel to the novel image plane, onto the contour of the silhouette that the fused
+ * maps show to the novel camera, and the strip they sweep is cut away (TsdfDeformation.h). With
+ * UseContourPrediction that contour is refined by the one interpolated from the photographs'
+ * contours (ContourPrediction.h).
+ *
+ * Ports and arrays: see vtkTsdfDeformer. Out 0 holds only the triangles that face the novel camera;
+ * added point arrays: `OutlineFlag` (uint8, 1 = outline point), `EnergyPhoto` (distance to the
+ * contour, pixels), `Energy` (the same), `EnergyContour` and `EnergySmooth` (0).
+ */
+#ifndef vtkTsdfOutlineDeformer_h
+#define vtkTsdfOutlineDeformer_h
+
+#include "vtkTsdfDeformer.h"
+
+class VTKNOVELVIEWFILTERS_EXPORT vtkTsdfOutlineDeformer : public vtkTsdfDeformer
+{
+public:
+  static vtkTsdfOutlineDeformer* New();
+  vtkTypeMacro(vtkTsdfOutlineDeformer, vtkTsdfDeformer);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Weight of "object" against the photographs' votes when it is decided whether a ray meets any.
+   * Larger values carve less. 0, the default, takes the one that vtkReferenceDepthEstimator found
+   * for the data set. Range 0 to 10.
+   */
+  vtkSetClampMacro(SilhouettePrior, double, 0.0, 10.0);
+  vtkGetMacro(SilhouettePrior, double);
+  ///@}
+
+  ///@{
+  /** Refine the outline by the contour interpolated from the photographs' own. Default on. */
+  vtkSetMacro(UseContourPrediction, bool);
+  vtkGetMacro(UseContourPrediction, bool);
+  vtkBooleanMacro(UseContourPrediction, bool);
+  ///@}
+
+protected:
+  vtkTsdfOutlineDeformer() = default;
+  ~vtkTsdfOutlineDeformer() override = default;
+  void Deform(const Work& work) override;
+  const char* ContourArrayName() const override { return novelview::arrays::EnergyContour; }
+  bool MovesOutline() const override { return true; }
+
+  double SilhouettePrior = 0;
+  bool UseContourPrediction = true;
+
+private:
+  vtkTsdfOutlineDeformer(const vtkTsdfOutlineDeformer&) = delete;
+  void operator=(const vtkTsdfOutlineDeformer&) = delete;
+};
+
+#endif

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkWholeObjectRefiner.h"
+
+#include "FilterSupport.h"
+#include "deformation/TsdfDeformation.h"
+#include "fusion/ModelRefinement.h"
+
+#include <vtkMultiBlockDataSet.h>
+#include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+
+vtkStandardNewMacro(vtkWholeObjectRefiner);
+
+//------------------------------------------------------------------------------
+vtkWholeObjectRefiner::vtkWholeObjectRefiner()
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+int vtkWholeObjectRefiner::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(
+    vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 1 ? "vtkMultiBlockDataSet" : "vtkPolyData");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkWholeObjectRefiner::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  return novelview::RunGuarded(this, outputs,
+    [&]
+    {
+      vtkMultiBlockDataSet* blocks = vtkMultiBlockDataSet::GetData(inputs[1]);
+      novelview::ViewNeeds needs;
+      needs.Color = needs.ContourDistance = true;
+      const double noise = this->DepthNoise > 0
+        ? this->DepthNoise
+        : novelview::AttachedNumber(blocks, novelview::arrays::DepthNoise, 0);
+      novelview::ModelRefinementOptions options;
+      options.Fusion = novelview::OptionsForNoise(noise).Surface;
+      const novelview::TriangleMesh refined =
+        novelview::RefineModel(novelview::ToTriangleMesh(vtkPolyData::GetData(inputs[0]), "mesh"),
+          novelview::ReadViews(blocks, needs), options, novelview::ExecutionFor(this));
+      novelview::FromTriangleMesh(refined, vtkPolyData::GetData(outputs));
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkWholeObjectRefiner::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "DepthNoise: " << this->DepthNoise << "\n";
+}
