@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "crust/CrustSurface.h"
+#include "crust/ManifoldRepair.h"
 #include "crust/PowerCrust.h"
 #include "geometry/MeshTopology.h"
 #include "support/CrustShapes.h"
