@@ -3,7 +3,7 @@
 
 #include "core/FillHolesIteratively.h"
 #include "core/ToInt.h"
-#include "geometry/Rasteriser.h"
+#include "geometry/DepthImage.h"
 #include "geometry/ViewSelection.h"
 #include "stereo/DepthConfidence.h"
 #include "stereo/MaskedMedian.h"
