@@ -20,7 +20,6 @@ namespace
 using Eigen::Vector3d;
 using Eigen::Vector3i;
 
-constexpr int Corners = BlockCells + 1; ///< lattice points along a block's side
 constexpr int MaxBlocks = 1 << 18; ///< along a side of the lattice
 
 double FootprintAt(const std::vector<View>& views, const Vector3d& at)

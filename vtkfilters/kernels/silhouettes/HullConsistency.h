@@ -47,7 +47,6 @@ struct RayConsistency
 std::vector<RayConsistency> FollowSilhouetteRays(const std::vector<View>& views,
   const std::vector<SilhouetteRay>& rays, const HullConsistencyOptions& options = {},
   const Execution& execution = {});
-
 }
 
 #endif
