@@ -4,6 +4,7 @@
 #define novelview_CheckPhotographs_h
 
 #include "check/CheckSilhouettes.h"
+#include "masks/Coverage.h"
 #include "masks/Silhouette.h"
 
 #include <string>

@@ -2,6 +2,7 @@
 #include "core/Error.h"
 #include "dataset/Dataset.h"
 #include "images/ImageFile.h"
+#include "masks/Coverage.h"
 #include "masks/Silhouette.h"
 #include "silhouettes/ContourDistance.h"
 #include "support/TestSupport.h"
