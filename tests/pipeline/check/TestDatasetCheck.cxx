@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every mistake that a check claims to find, planted in a small data set.
 #include "Threads.h"
-#include "check/CheckCameras.h"
-#include "check/CheckPhotographs.h"
+#include "check/CameraAnomalies.h"
+#include "check/CheckedPhotograph.h"
 #include "check/DatasetCheck.h"
 #include "commands/CheckCommand.h"
 #include "images/OpenCvPixels.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "check/CheckPhotographs.h"
+#include "check/CheckedPhotograph.h"
 
 #include "core/Error.h"
 #include "core/Quantile.h"

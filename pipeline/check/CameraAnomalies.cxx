@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "check/CheckCameras.h"
+#include "check/CameraAnomalies.h"
 
 #include "base/NumberText.h"
 #include "core/Error.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /** Whether cameras can be those of photographs of one object. */
-#ifndef novelview_CheckCameras_h
-#define novelview_CheckCameras_h
+#ifndef novelview_CameraAnomalies_h
+#define novelview_CameraAnomalies_h
 
 #include "cameras/Photograph.h"
 

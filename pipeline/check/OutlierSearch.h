@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /** Which views of a data set do not belong to the others, and why. */
-#ifndef novelview_CheckViews_h
-#define novelview_CheckViews_h
+#ifndef novelview_OutlierSearch_h
+#define novelview_OutlierSearch_h
 
-#include "check/CheckSilhouettes.h"
+#include "check/AgreementSurvey.h"
+#include "check/CheckReport.h"
+#include "check/CheckedSilhouettes.h"
 #include "core/Execution.h"
 
 #include <optional>
@@ -12,8 +14,6 @@
 
 namespace novelview
 {
-struct CheckedCamera;
-
 /** A view that does not belong to the others. */
 struct OutlierView
 {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "check/CheckViews.h"
+#include "check/OutlierSearch.h"
 
 #include "base/NumberText.h"
-#include "check/DatasetCheck.h"
 #include "core/Quantile.h"
 #include "images/ImageFile.h"
 

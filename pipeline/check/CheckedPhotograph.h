@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /** What can be said about each photograph of a data set by itself. */
-#ifndef novelview_CheckPhotographs_h
-#define novelview_CheckPhotographs_h
+#ifndef novelview_CheckedPhotograph_h
+#define novelview_CheckedPhotograph_h
 
-#include "check/CheckSilhouettes.h"
+#include "check/CheckedSilhouettes.h"
 #include "masks/Coverage.h"
 #include "masks/Silhouette.h"
 
