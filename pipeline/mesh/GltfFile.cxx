@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/GltfFile.h"
 
+#include "base/ByteStream.h"
 #include "images/ImageFile.h"
 
 #include <Eigen/Geometry>
@@ -8,7 +9,6 @@
 
 #include <bit>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 
 static_assert(std::endian::native == std::endian::little, "GLB is written as it is in memory");

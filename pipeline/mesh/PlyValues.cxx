@@ -4,6 +4,7 @@
 #include "base/ByteStream.h"
 #include "base/NumberText.h"
 #include "core/Error.h"
+#include "core/PrintableText.h"
 
 #include <bit>
 
