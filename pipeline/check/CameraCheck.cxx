@@ -2,7 +2,7 @@
 #include "check/CameraCheck.h"
 
 #include "check/CameraAnomalies.h"
-#include "check/OutlierSearch.h"
+#include "images/Metrics.h"
 
 #include <cstddef>
 #include <vector>

@@ -29,22 +29,6 @@ std::string Percent(double share)
 }
 }
 
-double MaskIou(const Image<std::uint8_t>& a, const Image<std::uint8_t>& b)
-{
-  if (a.Width != b.Width || a.Height != b.Height)
-  {
-    return 0;
-  }
-  double both = 0;
-  double either = 0;
-  for (std::size_t i = 0; i < a.Values.size(); ++i)
-  {
-    both += a.Values[i] > 127 && b.Values[i] > 127;
-    either += a.Values[i] > 127 || b.Values[i] > 127;
-  }
-  return either > 0 ? both / either : 0;
-}
-
 OutlierSearch::OutlierSearch(const std::vector<Photograph>& cameras,
   CheckedSilhouettes& silhouettes, const std::vector<FoundMask>& masks,
   const SilhouetteOptions& silhouette, const Execution& execution)

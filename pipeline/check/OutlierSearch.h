@@ -22,9 +22,6 @@ struct OutlierView
   std::string Text;
 };
 
-/** Intersection over union of two masks; 0 when their sizes differ. */
-double MaskIou(const Image<std::uint8_t>& a, const Image<std::uint8_t>& b);
-
 /**
  * Leaves out, one after the other, the views without which all others agree (at most a third of
  * them), takes back those that agree with the rest after all, and looks for what mends each: its mask

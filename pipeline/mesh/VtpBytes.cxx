@@ -70,7 +70,6 @@ std::uint64_t LengthOf(const std::vector<std::uint64_t>& header, std::uint64_t b
 }
 }
 
-/** All text of an element, without that of elements in it. */
 std::string TextOf(const pugi::xml_node& element)
 {
   std::string text;
