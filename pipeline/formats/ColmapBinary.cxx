@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "formats/ColmapBinary.h"
+
 #include "base/ByteStream.h"
 #include "base/InputFile.h"
 #include "cameras/CameraLimits.h"
 #include "core/Error.h"
-#include "formats/ColmapModel.h"
 
 #include <bit>
 #include <string>
