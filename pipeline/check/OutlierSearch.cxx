@@ -4,6 +4,7 @@
 #include "base/NumberText.h"
 #include "core/Quantile.h"
 #include "images/ImageFile.h"
+#include "images/Metrics.h"
 
 #include <algorithm>
 #include <cmath>

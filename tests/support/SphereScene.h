@@ -18,15 +18,15 @@ inline constexpr double Radius = 0.5;
 /** Leaves room around the object: what no frame shows may be anything, and is not the subject. */
 inline constexpr double Focal = 300;
 
-inline Camera RoomyCamera(double angleDeg, double elevationDeg = 0)
+inline novelview::Camera RoomyCamera(double angleDeg, double elevationDeg = 0)
 {
   return OnRing(angleDeg, elevationDeg, 4, SmallPictureK(Focal));
 }
 
 /** A ring of eight and one camera from above, so that the hull is close to the sphere. */
-inline std::vector<Camera> NineCameras()
+inline std::vector<novelview::Camera> NineCameras()
 {
-  std::vector<Camera> cameras = Ring(8, 45, Focal);
+  std::vector<novelview::Camera> cameras = Ring(8, 45, Focal);
   cameras.push_back(RoomyCamera(20, 70));
   return cameras;
 }
@@ -51,10 +51,10 @@ inline std::vector<Vector3d> RandomPoints(int count, double halfSide, unsigned s
 }
 
 /** Replaces a mask and what is derived from it. */
-inline void SetMask(Photo& photo, Image<std::uint8_t> mask)
+inline void SetMask(Photo& photo, novelview::Image<std::uint8_t> mask)
 {
   photo.Mask = std::move(mask);
-  photo.ContourDistance = SignedContourDistance(std::as_const(photo.Mask).Ref());
+  photo.ContourDistance = novelview::SignedContourDistance(std::as_const(photo.Mask).Ref());
 }
 }
 
