@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace novelview
@@ -112,41 +113,42 @@ void CheckNesting(const std::string& text, const std::string& where)
   }
 }
 
-/** Follows the parser and says in its own words where a text is no JSON. */
+/** Builds the value, and says in its own words where a text is no JSON. */
 class JsonExaminer : public nlohmann::json_sax<Json>
 {
 public:
-  JsonExaminer(const std::string& text, const std::string& where)
+  JsonExaminer(const std::string& text, const std::string& where, Json& value)
     : Text(text)
     , Where(where)
+    , Root(value)
   {
   }
 
-  bool null() override { return this->Value(); }
-  bool boolean(bool) override { return this->Value(); }
-  bool number_integer(number_integer_t) override { return this->Value(); }
-  bool number_unsigned(number_unsigned_t) override { return this->Value(); }
-  bool number_float(number_float_t, const string_t&) override { return this->Value(); }
-  bool string(string_t&) override { return this->Value(); }
-  bool binary(binary_t&) override { return this->Value(); }
+  bool null() override { return this->Add(nullptr); }
+  bool boolean(bool value) override { return this->Add(value); }
+  bool number_integer(number_integer_t value) override { return this->Add(value); }
+  bool number_unsigned(number_unsigned_t value) override { return this->Add(value); }
+  bool number_float(number_float_t value, const string_t&) override { return this->Add(value); }
+  bool string(string_t& value) override { return this->Add(std::move(value)); }
+  bool binary(binary_t& value) override { return this->Add(Json::binary(std::move(value))); }
 
   bool start_object(std::size_t) override
   {
-    this->Open.emplace_back();
+    this->Open.push_back({ &this->Put(Json::object()), {} });
     this->Last = Event::OpenedObject;
     return true;
   }
   bool start_array(std::size_t) override
   {
-    this->Open.emplace_back();
-    this->Open.back().IsArray = true;
+    this->Open.push_back({ &this->Put(Json::array()), {} });
     this->Last = Event::OpenedArray;
     return true;
   }
   bool end_object() override
   {
     this->Open.pop_back();
-    return this->Value();
+    this->Last = Event::Value;
+    return true;
   }
   bool end_array() override { return this->end_object(); }
 
@@ -156,6 +158,7 @@ public:
     {
       throw Error(this->Where, "key \"" + name + "\" is there twice");
     }
+    this->Member = &(*this->Open.back().Value)[name];
     this->Last = Event::Key;
     return true;
   }
@@ -186,14 +189,31 @@ private:
   /** An object or array that has not ended. */
   struct Level
   {
-    bool IsArray = false;
+    Json* Value;
     std::set<std::string> Keys;
   };
 
-  bool Value()
+  bool Add(Json value)
   {
+    this->Put(std::move(value));
     this->Last = Event::Value;
     return true;
+  }
+
+  /** Puts a value where it belongs. */
+  Json& Put(Json value)
+  {
+    if (this->Open.empty())
+    {
+      return this->Root = std::move(value);
+    }
+    Json& level = *this->Open.back().Value;
+    if (level.is_array())
+    {
+      level.push_back(std::move(value));
+      return level.back();
+    }
+    return *this->Member = std::move(value);
   }
 
   /** What could stand at a place instead; the last sign before it tells. */
@@ -206,7 +226,7 @@ private:
     {
       return this->Last == Event::Begin ? "a value" : "the end";
     }
-    const bool inArray = this->Open.back().IsArray;
+    const bool inArray = this->Open.back().Value->is_array();
     if (this->Last == Event::Key)
     {
       return sign == ':' ? "a value" : "':' and a value";
@@ -221,7 +241,9 @@ private:
 
   const std::string& Text;
   const std::string& Where;
+  Json& Root;
   std::vector<Level> Open;
+  Json* Member = nullptr; ///< of the innermost object: that of the last key
   Event Last = Event::Begin;
 };
 }
@@ -230,9 +252,10 @@ Json ParseJson(const std::string& text, const std::string& where)
 {
   CheckEncoding(text, where);
   CheckNesting(text, where);
-  JsonExaminer examiner(text, where);
+  Json value;
+  JsonExaminer examiner(text, where, value);
   Json::sax_parse(text, &examiner);
-  return Json::parse(text);
+  return value;
 }
 
 Json ReadJsonFile(const fs::path& path)

@@ -67,13 +67,4 @@ std::string TextLines::Where() const
 {
   return this->Name + ", line " + std::to_string(std::max<std::size_t>(this->Number, 1));
 }
-
-std::string Quoted(std::string_view word)
-{
-  constexpr std::size_t most = 40;
-  std::string text(word.substr(0, most));
-  std::replace_if(
-    text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c > 0x7e; }, '?');
-  return "\"" + text + (word.size() > most ? "...\"" : "\"");
-}
 }

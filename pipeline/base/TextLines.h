@@ -45,9 +45,6 @@ private:
   std::size_t After = 0;
   std::size_t Number = 0;
 };
-
-/** A word of a file in quotes, for messages: of a long one the beginning, strange bytes as "?". */
-std::string Quoted(std::string_view word);
 }
 
 #endif

@@ -2,7 +2,7 @@
 #ifndef novelview_CheckPicture_h
 #define novelview_CheckPicture_h
 
-#include "check/DatasetCheck.h"
+#include "check/CheckReport.h"
 
 #include <filesystem>
 

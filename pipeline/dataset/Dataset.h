@@ -11,6 +11,7 @@
 #include "cameras/CameraConvention.h"
 #include "cameras/Photograph.h"
 #include "cameras/PhotographFiles.h"
+#include "masks/Coverage.h"
 #include "masks/Silhouette.h"
 
 #include <vtkMultiBlockDataSet.h>

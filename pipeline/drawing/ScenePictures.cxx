@@ -333,31 +333,22 @@ void DrawDesktop(Dashboard& state, const std::filesystem::path& path)
 void DrawCharts(const std::string& title, const std::vector<HistoryRow>& history,
   const std::filesystem::path& path)
 {
-  constexpr int width = 1600;
-  constexpr int height = 700;
-  const Colour paper = { 1, 1, 1 };
-  const Colour ink = { 0.12, 0.13, 0.16 };
-  Canvas canvas(width, height, paper);
-  canvas.AddText(title, width / 2, 30, { 22, ink, true, TextStyle::Centre });
-
-  ChartStyle style;
-  style.Ink = ink;
-  style.Grid = { 0.86, 0.87, 0.89 };
-  style.TextSizePx = 17;
-  style.Legend = true;
+  ChartPage page(title);
+  ChartStyle style = page.Style;
   style.ScoreName = "RMS, grey levels";
   const bool hasSsim = std::any_of(
     history.begin(), history.end(), [](const HistoryRow& row) { return std::isfinite(row.Ssim); });
-  const int chartWidth = hasSsim ? width / 2 : width;
-  canvas.AddChart(NewScoreChart(history, style), { 10, 56, chartWidth - 20, height - 66 }, paper);
+  const int chartWidth = hasSsim ? ChartPage::Width / 2 : ChartPage::Width;
+  page.Sheet.AddChart(
+    NewScoreChart(history, style), { 10, 56, chartWidth - 20, ChartPage::Height - 66 }, page.Paper);
   if (hasSsim)
   {
     style.Score = &HistoryRow::Ssim;
     style.ScoreName = "SSIM";
     style.LegendBelow = true; // better scores are higher
-    canvas.AddChart(
-      NewScoreChart(history, style), { chartWidth + 10, 56, chartWidth - 20, height - 66 }, paper);
+    page.Sheet.AddChart(NewScoreChart(history, style),
+      { chartWidth + 10, 56, chartWidth - 20, ChartPage::Height - 66 }, page.Paper);
   }
-  WriteArray(path, canvas.Draw(), arrays::Color);
+  WriteArray(path, page.Sheet.Draw(), arrays::Color);
 }
 }

@@ -111,6 +111,16 @@ void FixRanges(
 }
 
 //------------------------------------------------------------------------------
+ChartPage::ChartPage(const std::string& title)
+  : Sheet(Width, Height, this->Paper)
+{
+  this->Style.Ink = { 0.12, 0.13, 0.16 };
+  this->Style.Grid = { 0.86, 0.87, 0.89 };
+  this->Style.TextSizePx = 17;
+  this->Style.Legend = true;
+  this->Sheet.AddText(title, Width / 2, 30, { 22, this->Style.Ink, true, TextStyle::Centre });
+}
+
 vtkSmartPointer<vtkChartXY> NewLineChart(
   const std::vector<ChartLine>& lines, const ChartAxis& axis, const ChartStyle& style)
 {

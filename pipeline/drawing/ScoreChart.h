@@ -24,6 +24,19 @@ struct ChartStyle
   bool LegendBelow = false; ///< in the lower right corner instead of the upper right one
 };
 
+/** A white page with a title, for charts to be read on paper. */
+struct ChartPage
+{
+  static constexpr int Width = 1600;
+  static constexpr int Height = 700;
+
+  explicit ChartPage(const std::string& title);
+
+  Colour Paper = { 1, 1, 1 };
+  ChartStyle Style; ///< of its charts
+  Canvas Sheet;
+};
+
 /** A line of a chart. */
 struct ChartLine
 {

@@ -144,12 +144,7 @@ void Overview::Write(const std::filesystem::path& path)
 void DrawEvaluationChart(const std::string& title, const std::vector<EvaluatedView>& views,
   const std::filesystem::path& path)
 {
-  constexpr int width = 1600;
-  constexpr int height = 700;
-  const Colour paper = { 1, 1, 1 };
-  const Colour ink = { 0.12, 0.13, 0.16 };
-  Canvas canvas(width, height, paper);
-  canvas.AddText(title, width / 2, 30, { 22, ink, true, TextStyle::Centre });
+  ChartPage page(title);
   ChartAxis axis{ "view", {} };
   for (const EvaluatedView& view : views)
   {
@@ -167,17 +162,13 @@ void DrawEvaluationChart(const std::string& title, const std::vector<EvaluatedVi
           { static_cast<double>(i), FindStage(views[i].Stages, stage)->*score });
       }
     }
-    ChartStyle style;
+    ChartStyle style = page.Style;
     style.ScoreName = name;
-    style.Ink = ink;
-    style.Grid = { 0.86, 0.87, 0.89 };
-    style.TextSizePx = 17;
-    style.Legend = true;
-    canvas.AddChart(
-      NewLineChart(lines, axis, style), { x, 56, width / 2 - 20, height - 66 }, paper);
+    page.Sheet.AddChart(NewLineChart(lines, axis, style),
+      { x, 56, ChartPage::Width / 2 - 20, ChartPage::Height - 66 }, page.Paper);
   };
   draw(&Scores::Rms, "RMS, grey levels", 10);
-  draw(&Scores::Ssim, "SSIM", width / 2 + 10);
-  WriteArray(path, canvas.Draw(), arrays::Color);
+  draw(&Scores::Ssim, "SSIM", ChartPage::Width / 2 + 10);
+  WriteArray(path, page.Sheet.Draw(), arrays::Color);
 }
 }

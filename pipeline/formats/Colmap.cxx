@@ -4,7 +4,9 @@
 #include "base/NumberText.h"
 #include "cameras/PhotographFiles.h"
 #include "core/Error.h"
+#include "formats/ColmapBinary.h"
 #include "formats/ColmapModel.h"
+#include "formats/ColmapText.h"
 #include "formats/WriteChecks.h"
 
 #include <Eigen/Geometry>
@@ -18,64 +20,14 @@ namespace novelview
 namespace fs = std::filesystem;
 namespace
 {
-/** A camera model of COLMAP; the number is its place in the table. */
-struct ModelInfo
-{
-  const char* Name;
-  int Parameters;   ///< how many
-  int FocalLengths; ///< 1: f, cx, cy, ..; 2: fx, fy, cx, cy, ..; 0: cannot be read here
-  Lens::Model Kind = Lens::Model::Perspective;
-};
-
-constexpr Lens::Model Fisheye = Lens::Model::Fisheye;
-constexpr std::array<ModelInfo, 18> Models{ {
-  { "SIMPLE_PINHOLE", 3, 1 },
-  { "PINHOLE", 4, 2 },
-  { "SIMPLE_RADIAL", 4, 1 },
-  { "RADIAL", 5, 1 },
-  { "OPENCV", 8, 2 },
-  { "OPENCV_FISHEYE", 8, 2, Fisheye },
-  { "FULL_OPENCV", 12, 2 },
-  { "FOV", 5, 0 },
-  { "SIMPLE_RADIAL_FISHEYE", 4, 1, Fisheye },
-  { "RADIAL_FISHEYE", 5, 1, Fisheye },
-  { "THIN_PRISM_FISHEYE", 12, 0 },
-  { "RAD_TAN_THIN_PRISM_FISHEYE", 16, 0 },
-  { "SIMPLE_DIVISION", 4, 0 },
-  { "DIVISION", 5, 0 },
-  { "SIMPLE_FISHEYE", 3, 1, Fisheye },
-  { "FISHEYE", 4, 2, Fisheye },
-  { "EUCM", 6, 0 },
-  { "EQUIRECTANGULAR", 2, 0 },
-} };
-
-const ModelInfo* InfoOf(const std::string& name)
-{
-  const auto found = std::find_if(
-    Models.begin(), Models.end(), [&name](const ModelInfo& info) { return info.Name == name; });
-  return found == Models.end() ? nullptr : &*found;
-}
-
-std::string ReadableModels()
-{
-  std::vector<std::string> names;
-  for (const ModelInfo& info : Models)
-  {
-    if (info.FocalLengths > 0)
-    {
-      names.emplace_back(info.Name);
-    }
-  }
-  return Joined(names);
-}
-
 /** K (pixel centres at 0.5), size and lens of a camera. */
 Photograph IntrinsicsOf(const ColmapCamera& camera)
 {
-  const ModelInfo* info = InfoOf(camera.Model);
+  const ColmapModelInfo* info = ColmapInfoOf(camera.Model);
   if (!info || info->FocalLengths == 0)
   {
-    throw Error(camera.Where, "camera model cannot be undistorted", camera.Model, ReadableModels());
+    throw Error(
+      camera.Where, "camera model cannot be undistorted", camera.Model, ReadableColmapModels());
   }
   const std::vector<double>& p = camera.Parameters;
   if (static_cast<int>(p.size()) != info->Parameters)
@@ -189,7 +141,7 @@ ColmapCamera CameraOf(const Photograph& photograph, const Camera& stated)
   }
   camera.Parameters.insert(
     camera.Parameters.end(), lens.Coefficients.begin(), lens.Coefficients.end());
-  camera.Parameters.resize(static_cast<std::size_t>(InfoOf(camera.Model)->Parameters), 0);
+  camera.Parameters.resize(static_cast<std::size_t>(ColmapInfoOf(camera.Model)->Parameters), 0);
   return camera;
 }
 
@@ -247,25 +199,6 @@ DatasetFormat ColmapFormat()
   { return Trimmed(photograph.Distortion).Coefficients.size() <= 8; };
   return format;
 }
-}
-
-std::string ColmapModelName(int number)
-{
-  return number >= 0 && number < static_cast<int>(Models.size())
-    ? Models[static_cast<std::size_t>(number)].Name
-    : "";
-}
-
-int ColmapModelNumber(const std::string& name)
-{
-  const ModelInfo* info = InfoOf(name);
-  return info ? static_cast<int>(info - Models.data()) : -1;
-}
-
-int ColmapParameterCount(const std::string& name)
-{
-  const ModelInfo* info = InfoOf(name);
-  return info ? info->Parameters : -1;
 }
 
 DatasetFormat ColmapTextFormat()

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "formats/ColmapBinary.h"
+
 #include "base/ByteStream.h"
 #include "base/InputFile.h"
 #include "cameras/CameraLimits.h"
 #include "core/Error.h"
-#include "formats/ColmapModel.h"
 
 #include <bit>
-#include <cstring>
+#include <string>
+#include <string_view>
 
 namespace novelview
 {
@@ -22,61 +24,58 @@ public:
   explicit ModelReader(const fs::path& path)
     : Path(path.string())
     , Bytes(ReadInputFile(path))
+    , Cursor(this->Bytes)
   {
   }
+  ModelReader(const ModelReader&) = delete;
+  ModelReader& operator=(const ModelReader&) = delete;
 
   template <class T>
   T Take()
   {
-    this->Need(sizeof(T));
-    T value;
-    std::memcpy(&value, this->Bytes.data() + this->At, sizeof(T));
-    this->At += sizeof(T);
-    return value;
+    return NumberFrom<T>(this->TakeBytes(1, sizeof(T)).data());
   }
 
   /** A text up to its zero. */
   std::string TakeText()
   {
-    const std::size_t end = this->Bytes.find('\0', this->At);
-    this->Need(end == std::string::npos ? this->Left() + 1 : end - this->At + 1);
-    std::string text = this->Bytes.substr(this->At, end - this->At);
-    this->At = end + 1;
-    return text;
+    const std::size_t length = this->Cursor.Rest().find('\0');
+    const std::string_view text =
+      this->TakeBytes(length == std::string_view::npos ? this->Cursor.Left() + 1 : length + 1);
+    return std::string(text.substr(0, length));
   }
 
   /** Passes over `count` things of `size` bytes. */
-  void Skip(std::uint64_t count, std::size_t size)
-  {
-    this->Need(count > this->Left() / size ? this->Left() + 1 : count * size);
-    this->At += count * size;
-  }
+  void Skip(std::uint64_t count, std::size_t size) { this->TakeBytes(count, size); }
 
   /** The end must have been reached. */
   void Finish() const
   {
-    if (this->Left() > 0)
+    if (this->Cursor.Left() > 0)
     {
       throw Error(this->Where(), "file goes on behind its end",
-        std::to_string(this->Left()) + " bytes more", "none");
+        std::to_string(this->Cursor.Left()) + " bytes more", "none");
     }
   }
 
-  std::string Where() const { return this->Path + ", byte " + std::to_string(this->At); }
+  std::string Where() const
+  {
+    return this->Path + ", byte " + std::to_string(this->Cursor.Position());
+  }
 
 private:
-  std::size_t Left() const { return this->Bytes.size() - this->At; }
-  void Need(std::size_t count) const
+  std::string_view TakeBytes(std::uint64_t count, std::size_t size = 1)
   {
-    if (count > this->Left())
+    if (const auto taken = this->Cursor.Take(count, size))
     {
-      throw Error(this->Where(), "file ends too early");
+      return *taken;
     }
+    throw Error(this->Where(), "file ends too early");
   }
 
   std::string Path;
   std::string Bytes;
-  std::size_t At = 0;
+  ByteCursor Cursor;
 };
 
 int TakeExtent(ModelReader& reader)

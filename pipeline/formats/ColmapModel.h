@@ -3,11 +3,10 @@
 #ifndef novelview_ColmapModel_h
 #define novelview_ColmapModel_h
 
-#include "formats/DatasetFormats.h"
+#include "cameras/Lens.h"
 
 #include <array>
 #include <cstdint>
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -42,22 +41,26 @@ struct ColmapModel
   std::vector<ColmapImage> Images;
 };
 
+/** A camera model of COLMAP; the number is its place in the table. */
+struct ColmapModelInfo
+{
+  const char* Name;
+  int Parameters;   ///< how many
+  int FocalLengths; ///< 1: f, cx, cy, ..; 2: fx, fy, cx, cy, ..; 0: cannot be read here
+  Lens::Model Kind = Lens::Model::Perspective;
+};
+
+/** What is known of a camera model; null when its name is unknown. */
+const ColmapModelInfo* ColmapInfoOf(const std::string& name);
+/** The names of the models that can be read, for messages. */
+std::string ReadableColmapModels();
+
 /** COLMAP's name for a camera model; empty when the number is unknown. */
 std::string ColmapModelName(int number);
 /** Its number; -1 when the name is unknown. */
 int ColmapModelNumber(const std::string& name);
 /** How many parameters a model has; -1 when unknown. */
 int ColmapParameterCount(const std::string& name);
-
-/** cameras.txt and images.txt of a folder. Throws Error, naming file and line. */
-ColmapModel ReadColmapText(const std::filesystem::path& folder);
-/** The same, and an empty points3D.txt. Throws Error when a name has blanks. */
-std::vector<FileContent> ComposeColmapText(const ColmapModel& model);
-
-/** cameras.bin and images.bin of a folder. Throws Error, naming file and byte. */
-ColmapModel ReadColmapBinary(const std::filesystem::path& folder);
-/** The same, and an empty points3D.bin. */
-std::vector<FileContent> ComposeColmapBinary(const ColmapModel& model);
 }
 
 #endif

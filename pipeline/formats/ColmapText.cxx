@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "formats/ColmapText.h"
+
 #include "base/InputFile.h"
 #include "base/NumberText.h"
 #include "core/Error.h"
-#include "formats/ColmapModel.h"
 
 #include <sstream>
 

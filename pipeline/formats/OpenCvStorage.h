@@ -8,73 +8,22 @@
 #ifndef novelview_OpenCvStorage_h
 #define novelview_OpenCvStorage_h
 
+#include "formats/StorageNode.h"
+
 #include <cstddef>
 #include <filesystem>
 #include <string>
-#include <vector>
 
 namespace novelview
 {
-/** Maps and lists may be nested so deep. */
-constexpr int MaxStorageNesting = 32;
-
 /** Larger files are no calibrations; the values of a file take several times its size. */
 constexpr std::size_t MaxStorageBytes = 32 << 20;
-
-struct StorageEntry;
-
-/** A value of such a file. */
-struct StorageNode
-{
-  enum class Kind
-  {
-    None, ///< nothing, or no such key
-    Number,
-    Text,
-    List,
-    Map
-  };
-
-  Kind What = Kind::None;
-  double Number = 0;
-  std::string Text;                  ///< of a number: as it is written
-  std::vector<StorageNode> Items;    ///< of a list
-  std::vector<StorageEntry> Entries; ///< of a map
-
-  bool IsNone() const { return this->What == Kind::None; }
-  bool IsText() const { return this->What == Kind::Text; }
-  bool IsList() const { return this->What == Kind::List; }
-
-  /** The value of a map's key; None when there is none. */
-  const StorageNode& operator[](const std::string& key) const;
-
-  /**
-   * The numbers of a list or of a matrix, row by row; none of None. Throws Error, naming `where`, when
-   * it is something else, or the matrix is not as large as it says.
-   */
-  std::vector<double> Numbers(const std::string& where) const;
-};
-
-/** A key of a map and its value. */
-struct StorageEntry
-{
-  std::string Key;
-  StorageNode Value;
-};
-
-/** A number or a text that is not in quotes, as OpenCV tells them apart. */
-StorageNode ScalarNode(const std::string& word);
 
 /** The root of a file. Throws Error, naming file and line. */
 StorageNode ReadOpenCvStorage(const std::filesystem::path& file);
 
 /** The same from a text, which is YAML, XML or JSON as its first sign says. */
 StorageNode ParseOpenCvStorage(const std::string& text, const std::string& where);
-
-// ---- one encoding each
-StorageNode ParseStorageYaml(const std::string& text, const std::string& where);
-StorageNode ParseStorageXml(const std::string& text, const std::string& where);
-StorageNode ParseStorageJson(const std::string& text, const std::string& where);
 }
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "formats/OpenCvStorage.h"
+#include "formats/OpenCvStorageXml.h"
 
 #include "core/Error.h"
 

@@ -8,6 +8,7 @@
 #include "base/NumberText.h"
 #include "core/Error.h"
 #include "drawing/ScenePictures.h"
+#include "generator/GeneratorRig.h"
 #include "generator/SyntheticRenderer.h"
 #include "images/ImageFile.h"
 #include "mesh/ObjectMesh.h"

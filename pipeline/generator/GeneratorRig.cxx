@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/Generator.h"
+#include "generator/GeneratorRig.h"
 
 #include "core/Error.h"
 

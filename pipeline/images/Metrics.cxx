@@ -142,6 +142,22 @@ Scores Compare(const MaskedPicture& rendered, const MaskedPicture& truth)
   return scores;
 }
 
+double MaskIou(const Image<std::uint8_t>& a, const Image<std::uint8_t>& b)
+{
+  if (a.Width != b.Width || a.Height != b.Height)
+  {
+    return 0;
+  }
+  double both = 0;
+  double either = 0;
+  for (std::size_t i = 0; i < a.Values.size(); ++i)
+  {
+    both += a.Values[i] > 127 && b.Values[i] > 127;
+    either += a.Values[i] > 127 || b.Values[i] > 127;
+  }
+  return either > 0 ? both / either : 0;
+}
+
 Image<float> ErrorMap(const MaskedPicture& rendered, const MaskedPicture& truth)
 {
   CheckSizes(rendered, truth);

@@ -41,6 +41,9 @@ struct Scores
  */
 Scores Compare(const MaskedPicture& rendered, const MaskedPicture& truth);
 
+/** Intersection over union of two masks; 0 when their sizes differ. */
+double MaskIou(const Image<std::uint8_t>& a, const Image<std::uint8_t>& b);
+
 /**
  * Per pixel of the foreground the root mean square over the channels of R - T, 0 to 255; 0
  * elsewhere. One channel.

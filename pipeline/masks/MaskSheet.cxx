@@ -3,7 +3,7 @@
 
 #include "base/NumberText.h"
 #include "images/OpenCvPixels.h"
-#include "masks/Silhouette.h"
+#include "masks/Coverage.h"
 
 #include <opencv2/imgproc.hpp>
 

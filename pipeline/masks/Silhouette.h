@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * Silhouettes from photographs, and whether a silhouette can be trusted. The signed distance to a
- * silhouette's contour is SignedContourDistance() of the kernels.
+ * Silhouettes from photographs. The signed distance to a silhouette's contour is
+ * SignedContourDistance() of the kernels.
  */
 #ifndef novelview_Silhouette_h
 #define novelview_Silhouette_h
@@ -11,8 +11,6 @@
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <string>
-#include <vector>
 
 namespace novelview
 {
@@ -68,25 +66,6 @@ struct SilhouetteOptions
  */
 Image<std::uint8_t> ExtractSilhouette(
   const ImageRef<const std::uint8_t>& photo, const SilhouetteOptions& options = {});
-
-/** How much of the frame a silhouette covers, and which sides of the frame it touches. */
-struct Coverage
-{
-  double Fraction = 0; ///< 0 to 1, pixels above 127
-  bool Left = false;
-  bool Right = false;
-  bool Top = false;
-  bool Bottom = false;
-
-  bool TouchesBorder() const { return this->Left || this->Right || this->Top || this->Bottom; }
-};
-Coverage MeasureCoverage(const ImageRef<const std::uint8_t>& mask);
-
-/**
- * Throws Error when a silhouette is empty or full; returns a sentence for each thing worth telling
- * (the object leaves the frame, covers almost nothing or almost everything).
- */
-std::vector<std::string> CheckCoverage(const Coverage& coverage, const std::string& where);
 }
 
 #endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/GltfFile.h"
 
+#include "base/ByteStream.h"
 #include "images/ImageFile.h"
 
 #include <Eigen/Geometry>
@@ -8,7 +9,6 @@
 
 #include <bit>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 
 static_assert(std::endian::native == std::endian::little, "GLB is written as it is in memory");
@@ -29,13 +29,6 @@ constexpr int LinearMipmapLinear = 9987;
 constexpr int ClampToEdge = 33071;
 constexpr std::uint32_t JsonChunk = 0x4E4F534A;
 constexpr std::uint32_t BinaryChunk = 0x004E4942;
-
-void AppendWord(std::string& text, std::uint32_t word)
-{
-  char bytes[4];
-  std::memcpy(bytes, &word, 4);
-  text.append(bytes, 4);
-}
 
 /** The binary chunk and the JSON about it, which grow together. */
 class GltfBuffer
@@ -168,14 +161,15 @@ std::string GlbOf(const TexturedModel& model)
   {
     throw Error("glTF", "the mesh is too large", std::to_string(whole) + " bytes", "below 4 GiB");
   }
-  std::string glb = "glTF";
-  AppendWord(glb, 2);
-  AppendWord(glb, static_cast<std::uint32_t>(whole));
-  AppendWord(glb, static_cast<std::uint32_t>(text.size()));
-  AppendWord(glb, JsonChunk);
-  glb += text;
-  AppendWord(glb, static_cast<std::uint32_t>(buffer.Bytes.size()));
-  AppendWord(glb, BinaryChunk);
-  return glb + buffer.Bytes;
+  ByteWriter glb;
+  glb.Written = "glTF";
+  glb.Add<std::uint32_t>(2);
+  glb.Add(static_cast<std::uint32_t>(whole));
+  glb.Add(static_cast<std::uint32_t>(text.size()));
+  glb.Add(JsonChunk);
+  glb.Written += text;
+  glb.Add(static_cast<std::uint32_t>(buffer.Bytes.size()));
+  glb.Add(BinaryChunk);
+  return glb.Written + buffer.Bytes;
 }
 }

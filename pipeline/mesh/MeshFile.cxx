@@ -3,8 +3,8 @@
 
 #include "base/InputFile.h"
 #include "base/NumberText.h"
-#include "base/TextLines.h"
 #include "core/Error.h"
+#include "core/PrintableText.h"
 #include "mesh/ObjFile.h"
 #include "mesh/PlyFile.h"
 #include "mesh/StlFile.h"

@@ -3,6 +3,7 @@
 
 #include "base/NumberText.h"
 #include "core/Error.h"
+#include "core/PrintableText.h"
 
 #include <algorithm>
 #include <map>

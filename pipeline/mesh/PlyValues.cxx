@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/PlyValues.h"
 
+#include "base/ByteStream.h"
 #include "base/NumberText.h"
 #include "core/Error.h"
+#include "core/PrintableText.h"
 
-#include <algorithm>
 #include <bit>
-#include <cstring>
 
 namespace novelview
 {
@@ -106,9 +106,8 @@ class BinaryValues : public PlyValues
 {
 public:
   BinaryValues(std::string_view bytes, const TextLines& lines, bool swap)
-    : Bytes(bytes)
+    : Cursor(bytes, lines.Position())
     , File(lines.File())
-    , At(lines.Position())
     , Swap(swap)
   {
   }
@@ -118,34 +117,26 @@ public:
 
   double Take(const PlyType& type) override
   {
-    this->Need(1, type);
-    char raw[8] = {};
-    std::memcpy(raw, this->Bytes.data() + this->At, static_cast<std::size_t>(type.Size));
-    if (this->Swap)
-    {
-      std::reverse(raw, raw + type.Size);
-    }
-    this->At += static_cast<std::size_t>(type.Size);
+    const char* raw = this->TakeBytes(1, type).data();
+    const bool isSigned = type.Kind == PlyType::Signed;
     if (type.Kind == PlyType::Float)
     {
-      return type.Size == 4 ? static_cast<double>(As<float>(raw)) : As<double>(raw);
+      return type.Size == 4 ? this->As<float>(raw) : this->As<double>(raw);
     }
     switch (type.Size)
     {
       case 1:
-        return type.Kind == PlyType::Signed ? As<std::int8_t>(raw) : As<std::uint8_t>(raw);
+        return isSigned ? this->As<std::int8_t>(raw) : this->As<std::uint8_t>(raw);
       case 2:
-        return type.Kind == PlyType::Signed ? As<std::int16_t>(raw) : As<std::uint16_t>(raw);
+        return isSigned ? this->As<std::int16_t>(raw) : this->As<std::uint16_t>(raw);
       default:
-        return type.Kind == PlyType::Signed ? static_cast<double>(As<std::int32_t>(raw))
-                                            : static_cast<double>(As<std::uint32_t>(raw));
+        return isSigned ? this->As<std::int32_t>(raw) : this->As<std::uint32_t>(raw);
     }
   }
 
   void Skip(std::int64_t count, const PlyType& type) override
   {
-    this->Need(static_cast<std::size_t>(count), type);
-    this->At += static_cast<std::size_t>(count) * static_cast<std::size_t>(type.Size);
+    this->TakeBytes(static_cast<std::uint64_t>(count), type);
   }
 
   void CheckLength(const PlyElement& element) const override
@@ -156,12 +147,12 @@ public:
       size += static_cast<std::uint64_t>(
         property.IsList() ? property.CountType.Size : property.Type.Size);
     }
-    CheckBytes(element, this->Bytes.size() - this->At, size);
+    CheckBytes(element, this->Cursor.Left(), size);
   }
 
   void Finish() override
   {
-    const std::string_view rest = this->Bytes.substr(this->At);
+    const std::string_view rest = this->Cursor.Rest();
     if (rest.find_first_not_of(" \t\r\n") != std::string_view::npos)
     {
       throw Error(this->Where(), "file goes on behind its end",
@@ -169,30 +160,31 @@ public:
     }
   }
 
-  std::string Where() const override { return this->File + ", byte " + std::to_string(this->At); }
+  std::string Where() const override
+  {
+    return this->File + ", byte " + std::to_string(this->Cursor.Position());
+  }
 
 private:
   template <class T>
-  static T As(const char* raw)
+  double As(const char* raw) const
   {
-    T number;
-    std::memcpy(&number, raw, sizeof(T));
-    return number;
+    return static_cast<double>(NumberFrom<T>(raw, this->Swap));
   }
 
-  void Need(std::size_t count, const PlyType& type) const
+  std::string_view TakeBytes(std::uint64_t count, const PlyType& type)
   {
-    const std::size_t left = this->Bytes.size() - this->At;
-    if (count > left / static_cast<std::size_t>(type.Size))
+    if (const auto taken = this->Cursor.Take(count, static_cast<std::size_t>(type.Size)))
     {
-      throw Error(this->Where(), "file ends too early", std::to_string(left) + " bytes more",
-        std::to_string(count) + " numbers of " + std::to_string(type.Size) + " bytes");
+      return *taken;
     }
+    throw Error(this->Where(), "file ends too early",
+      std::to_string(this->Cursor.Left()) + " bytes more",
+      std::to_string(count) + " numbers of " + std::to_string(type.Size) + " bytes");
   }
 
-  std::string_view Bytes;
+  ByteCursor Cursor;
   std::string File;
-  std::size_t At;
   bool Swap;
 };
 }

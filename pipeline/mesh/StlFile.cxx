@@ -4,6 +4,7 @@
 #include "base/NumberText.h"
 #include "base/TextLines.h"
 #include "core/Error.h"
+#include "core/PrintableText.h"
 #include "mesh/MeshAssembly.h"
 
 #include <array>

@@ -2,11 +2,10 @@
 #ifndef novelview_VtpArrays_h
 #define novelview_VtpArrays_h
 
+#include "mesh/VtpBytes.h"
 #include "mesh/VtpDocument.h"
 
 #include <cstdint>
-#include <string>
-#include <string_view>
 #include <vector>
 
 namespace novelview
@@ -33,18 +32,9 @@ private:
   template <class T>
   std::vector<T> Read(
     const pugi::xml_node& array, std::uint64_t tuples, std::uint64_t components) const;
-  std::string ReadBytes(const pugi::xml_node& array, std::uint64_t size) const;
-  std::string ReadBlocks(
-    const pugi::xml_node& array, std::string_view source, bool base64, std::uint64_t size) const;
-  std::vector<std::uint64_t> ReadHeader(
-    const pugi::xml_node& array, std::string_view source, bool base64, std::uint64_t count) const;
-  void Uncompress(
-    const pugi::xml_node& array, std::string_view block, char* to, std::size_t size) const;
 
   const VtpDocument& Document;
-  std::string Compressor;     ///< "" = none
-  std::size_t HeaderSize = 4; ///< bytes of a number in the headers of arrays
-  bool Swap = false;          ///< numbers are big-endian
+  const VtpBytes Bytes;
 };
 }
 

@@ -2,8 +2,8 @@
 #include "mesh/VtpDocument.h"
 
 #include "base/NumberText.h"
-#include "base/TextLines.h"
 #include "core/Error.h"
+#include "core/PrintableText.h"
 
 #include <algorithm>
 #include <utility>

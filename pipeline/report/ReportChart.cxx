@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/ReportPage.h"
+#include "report/ReportChart.h"
 
 #include "base/NumberText.h"
+#include "report/HtmlText.h"
 
 #include <Eigen/Geometry>
 

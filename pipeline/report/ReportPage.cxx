@@ -6,6 +6,7 @@
 #include "core/Error.h"
 #include "images/ImageFile.h"
 #include "images/OpenCvPixels.h"
+#include "report/HtmlText.h"
 #include "report/ReportTemplate.h"
 
 #include <vtkBase64Utilities.h>
@@ -15,33 +16,6 @@
 namespace novelview
 {
 using Json = nlohmann::ordered_json;
-
-std::string HtmlEscaped(const std::string& text)
-{
-  const std::string clean = Json::parse(DumpJson(text, -1)).get<std::string>();
-  std::string escaped;
-  for (const char c : clean)
-  {
-    switch (c)
-    {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      default:
-        escaped += c;
-    }
-  }
-  return escaped;
-}
 
 namespace
 {

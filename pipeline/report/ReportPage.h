@@ -9,10 +9,10 @@
 #define novelview_ReportPage_h
 
 #include "core/ImageRef.h"
+#include "report/ReportChart.h"
 
 #include <nlohmann/json.hpp>
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -20,9 +20,6 @@
 
 namespace novelview
 {
-/** For HTML and SVG, as text or as an attribute in double quotes. */
-std::string HtmlEscaped(const std::string& text);
-
 /** A picture inside a page. */
 struct ReportPicture
 {
@@ -61,24 +58,6 @@ struct ReportTable
   std::vector<std::vector<ReportCell>> Rows;
   int BarColumn = -1; ///< its numbers are also drawn as bars; -1 = none
 };
-
-/** A line of a chart; points that are not finite are left out. */
-struct ReportLine
-{
-  std::string Name;
-  std::vector<std::array<double, 2>> Points; ///< x, y
-};
-
-struct ReportChart
-{
-  std::string Title;
-  std::string XTitle;
-  std::vector<ReportLine> Lines;
-  std::vector<std::string> XLabels = {}; ///< what stands at 0, 1, 2 ..; numbers when empty
-};
-
-/** The chart as an SVG element, coloured by the page's styles. */
-std::string SvgOf(const ReportChart& chart);
 
 /** One step of a player: its line of text and a picture for each of the player's tracks. */
 struct ReportFrame

@@ -2,12 +2,11 @@
 #include "synthesis/DataBytes.h"
 
 #include "base/ByteStream.h"
+#include "base/QuietCompressor.h"
 #include "core/Error.h"
 
-#include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
-#include <vtkCommand.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkLZ4DataCompressor.h>
@@ -27,57 +26,37 @@ constexpr std::size_t BlockBytes = 1 << 20;
 constexpr std::uint64_t LargestExpansion = 255; ///< of LZ4
 constexpr int LargestComponents = 64;
 
-/** VTK's LZ4, which tells nobody of errors but by what it returns. */
-class Lz4
+/** Appends the bytes in blocks: the stored length and the stored bytes of each. */
+void Compress(const char* bytes, std::size_t count, ByteWriter& writer)
 {
-public:
-  Lz4() { this->Compressor->AddObserver(vtkCommand::ErrorEvent, this->Silence); }
-
-  /** Appends the bytes in blocks: the stored length and the stored bytes of each. */
-  void Compress(const char* bytes, std::size_t count, ByteWriter& writer)
+  QuietCompressor lz4(vtkSmartPointer<vtkLZ4DataCompressor>::New());
+  for (std::size_t done = 0; done < count; done += BlockBytes)
   {
-    std::string block;
-    for (std::size_t done = 0; done < count; done += BlockBytes)
+    const std::string_view block(bytes + done, std::min(BlockBytes, count - done));
+    const std::string stored = lz4.Compress(block);
+    const bool smaller = !stored.empty() && stored.size() < block.size();
+    writer.AddText(smaller ? std::string_view(stored) : block);
+  }
+}
+
+/** Takes them again. */
+void Uncompress(ByteReader& reader, char* bytes, std::size_t count, const std::string& where)
+{
+  QuietCompressor lz4(vtkSmartPointer<vtkLZ4DataCompressor>::New());
+  for (std::size_t done = 0; done < count; done += BlockBytes)
+  {
+    const std::size_t length = std::min(BlockBytes, count - done);
+    const std::string_view stored = reader.TakeBytes(reader.Take<std::uint64_t>());
+    if (stored.size() == length)
     {
-      const std::size_t length = std::min(BlockBytes, count - done);
-      block.resize(this->Compressor->GetMaximumCompressionSpace(length));
-      const std::size_t stored = this->Compressor->Compress(Unsigned(bytes + done), length,
-        reinterpret_cast<unsigned char*>(block.data()), block.size());
-      const bool smaller = stored > 0 && stored < length;
-      writer.AddText(
-        smaller ? std::string_view(block.data(), stored) : std::string_view(bytes + done, length));
+      std::copy(stored.begin(), stored.end(), bytes + done);
+    }
+    else if (stored.size() > length || !lz4.Uncompress(stored, bytes + done, length))
+    {
+      throw Error(where, "its compressed bytes are damaged");
     }
   }
-
-  /** Takes them again. */
-  void Uncompress(ByteReader& reader, char* bytes, std::size_t count, const std::string& where)
-  {
-    for (std::size_t done = 0; done < count; done += BlockBytes)
-    {
-      const std::size_t length = std::min(BlockBytes, count - done);
-      const std::string_view stored = reader.TakeBytes(reader.Take<std::uint64_t>());
-      if (stored.size() == length)
-      {
-        std::copy(stored.begin(), stored.end(), bytes + done);
-      }
-      else if (stored.size() > length ||
-        this->Compressor->Uncompress(Unsigned(stored.data()), stored.size(),
-          reinterpret_cast<unsigned char*>(bytes + done), length) != length)
-      {
-        throw Error(where, "its compressed bytes are damaged");
-      }
-    }
-  }
-
-private:
-  static const unsigned char* Unsigned(const char* bytes)
-  {
-    return reinterpret_cast<const unsigned char*>(bytes);
-  }
-
-  vtkNew<vtkLZ4DataCompressor> Compressor;
-  vtkNew<vtkCallbackCommand> Silence; ///< errors that somebody hears are not printed
-};
+}
 
 bool IsKept(int type)
 {
@@ -108,7 +87,7 @@ void AddArray(ByteWriter& writer, vtkDataArray* array)
   writer.Add<std::int32_t>(array->GetNumberOfComponents());
   writer.Add<std::int64_t>(array->GetNumberOfTuples());
   writer.AddText(array->GetName() ? array->GetName() : "");
-  Lz4().Compress(static_cast<const char*>(array->GetVoidPointer(0)),
+  Compress(static_cast<const char*>(array->GetVoidPointer(0)),
     static_cast<std::size_t>(array->GetNumberOfValues()) * array->GetDataTypeSize(), writer);
 }
 
@@ -135,7 +114,7 @@ vtkSmartPointer<vtkDataArray> TakeArray(ByteReader& reader, const std::string& w
   array->SetName(name.empty() ? nullptr : name.c_str());
   array->SetNumberOfComponents(components);
   array->SetNumberOfTuples(tuples);
-  Lz4().Uncompress(reader, static_cast<char*>(array->GetVoidPointer(0)), bytes, where);
+  Uncompress(reader, static_cast<char*>(array->GetVoidPointer(0)), bytes, where);
   return array;
 }
 

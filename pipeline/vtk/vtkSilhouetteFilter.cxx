@@ -3,6 +3,7 @@
 
 #include "FilterSupport.h"
 #include "base/Parallel.h"
+#include "masks/Coverage.h"
 #include "masks/Silhouette.h"
 #include "silhouettes/ContourDistance.h"
 

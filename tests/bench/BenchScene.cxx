@@ -5,6 +5,7 @@
 #include "ViewAccess.h"
 #include "core/Execution.h"
 #include "generator/Generator.h"
+#include "generator/GeneratorRig.h"
 #include "generator/SyntheticRenderer.h"
 #include "hull/VisualHull.h"
 #include "images/ImageFile.h"

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "crust/CrustSurface.h"
 #include "crust/PowerCrust.h"
 #include "geometry/MeshTopology.h"
 #include "support/CrustShapes.h"
@@ -341,82 +340,6 @@ TEST(PowerCrust, RandomPointsGiveAManifoldOrAnError)
       }
     }
   }
-}
-
-TEST(CrustSurface, AnyLabelsGiveAManifold)
-{
-  // Labels thrown like dice: every kind of pinched point and shared edge occurs.
-  int splits = 0;
-  int midPoints = 0;
-  for (unsigned int seed = 1; seed <= 30; ++seed)
-  {
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<double> uniform(0, 1);
-    shapes::Points points;
-    for (int i = 0; i < 60; ++i)
-    {
-      points.emplace_back(uniform(random), uniform(random), uniform(random));
-    }
-    const DelaunayComplex complex = BuildDelaunayComplex(points, Execution());
-    std::vector<Side> labels;
-    double volume = 0;
-    for (int tet = 0; tet < complex.NumberOfTets(); ++tet)
-    {
-      const bool inside = !complex.TouchesCorner(tet) && uniform(random) < 0.5;
-      labels.push_back(inside ? Side::Inside : Side::Outside);
-      volume += inside ? complex.Volume(tet) : 0;
-    }
-    const CrustSurface raw = ExtractDelaunayCrust(complex, labels);
-    const MeshTopology topology = ExamineTopology(raw.Mesh);
-    EXPECT_TRUE(topology.IsClosedAndOriented()) << "seed " << seed;
-    EXPECT_TRUE(topology.IsManifold()) << "seed " << seed;
-    // Splitting moves nothing: the volume is that of the tetrahedra, to rounding.
-    EXPECT_NEAR(SignedVolume(raw.Mesh), volume, 1e-12);
-    splits += raw.SplitPoints;
-    midPoints += raw.MidPoints;
-
-    MakeManifold(complex, labels);
-    const CrustSurface repaired = ExtractDelaunayCrust(complex, labels);
-    EXPECT_LT(repaired.SplitPoints, raw.SplitPoints) << "seed " << seed;
-  }
-  EXPECT_GT(splits, 0);
-  EXPECT_GT(midPoints, 0); // or the case is not tested at all
-}
-
-TEST(DelaunayComplex, SpheresAreEmptyAndNeighborsMutual)
-{
-  const shapes::Points points = shapes::Torus(300, 1, 0.4);
-  const DelaunayComplex complex = BuildDelaunayComplex(points, Execution());
-  double volume = 0;
-  for (int tet = 0; tet < complex.NumberOfTets(); ++tet)
-  {
-    volume += complex.Volume(tet);
-    EXPECT_GT(complex.Volume(tet), 0);
-    for (const Vector3d& p : points)
-    {
-      // Rounding of the circumcentre, relative to the sphere.
-      EXPECT_GT((p - complex.Centres[tet]).norm(), complex.Radii[tet] * (1 - 1e-6));
-    }
-    for (int k = 0; k < 4; ++k)
-    {
-      const int other = complex.Neighbors[tet][k];
-      if (other >= 0)
-      {
-        EXPECT_THAT(complex.Neighbors[other], testing::Contains(tet));
-      }
-    }
-  }
-  const double edge = complex.Points.back().x() - complex.Points[complex.Points.size() - 8].x();
-  EXPECT_NEAR(volume / (edge * edge * edge), 1, 1e-9); // they fill the far corners' cube
-}
-
-TEST(Poles, AgreementOfBalls)
-{
-  const Vector3d x(1, 0, 0);
-  EXPECT_DOUBLE_EQ(BallAgreement(x, 2, x, 2), 1);                     // the same
-  EXPECT_DOUBLE_EQ(BallAgreement(Vector3d::Zero(), 1, 2 * x, 1), -1); // touching from outside
-  EXPECT_DOUBLE_EQ(BallAgreement(Vector3d::Zero(), 3, 5 * x, 4), 0);  // at a right angle
-  EXPECT_DOUBLE_EQ(BallAgreement(Vector3d::Zero(), 1, 9 * x, 1), -1); // apart
 }
 
 TEST(PowerCrust, BadInputIsAnError)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometry/DepthImage.h"
 #include "geometry/Rasteriser.h"
 #include "support/Expect.h"
 #include "support/Scene.h"

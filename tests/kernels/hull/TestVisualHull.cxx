@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/ViewSelection.h"
 #include "hull/VisualHull.h"
-#include "silhouettes/SearchBox.h"
 #include "silhouettes/SilhouetteField.h"
 #include "support/Expect.h"
 #include "support/Scene.h"
+#include "support/SphereScene.h"
 
 #include <algorithm>
 #include <map>
@@ -14,31 +14,6 @@ using namespace support;
 
 namespace
 {
-constexpr double Radius = 0.5;
-
-/** Leaves room around the object: what no frame shows may be anything, and is not the subject. */
-constexpr double Focal = 300;
-
-Camera RoomyCamera(double angleDeg, double elevationDeg = 0)
-{
-  return OnRing(angleDeg, elevationDeg, 4, SmallPictureK(Focal));
-}
-
-/** A ring of eight and one camera from above, so that the hull is close to the sphere. */
-std::vector<Camera> NineCameras()
-{
-  std::vector<Camera> cameras = Ring(8, 45, Focal);
-  cameras.push_back(RoomyCamera(20, 70));
-  return cameras;
-}
-
-const std::vector<Photo>& SpherePhotos()
-{
-  static const std::vector<Photo> photos =
-    TakeAll(Sphere(Vector3d::Zero(), Radius), Plain(200, 200, 200), NineCameras());
-  return photos;
-}
-
 /** Distance in pixels, positive inside, of a point to the outline of a sphere about the origin. */
 double InsideSphereOutlinePx(const Camera& camera, const Vector3d& point)
 {
@@ -46,25 +21,6 @@ double InsideSphereOutlinePx(const Camera& camera, const Vector3d& point)
   const Vector3d ray = (point - centre).normalized();
   const double fromAxis = centre.cross(ray).norm(); // of the ray to the sphere's middle
   return (Radius - fromAxis) / camera.PixelFootprint(camera.Depth(point));
-}
-
-std::vector<Vector3d> RandomPoints(int count, double halfSide, unsigned seed)
-{
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> uniform(-halfSide, halfSide);
-  std::vector<Vector3d> points(count);
-  for (Vector3d& point : points)
-  {
-    point = { uniform(random), uniform(random), uniform(random) };
-  }
-  return points;
-}
-
-/** Replaces a mask and what is derived from it. */
-void SetMask(Photo& photo, Image<std::uint8_t> mask)
-{
-  photo.Mask = std::move(mask);
-  photo.ContourDistance = SignedContourDistance(std::as_const(photo.Mask).Ref());
 }
 }
 
@@ -361,102 +317,4 @@ TEST(VisualHull, SameBitsWithOneAndMoreThreads)
   const VisualHullResult three = ComputeVisualHull(views, {}, InThreads(3));
   EXPECT_EQ(one.Samples.Points, three.Samples.Points);
   EXPECT_EQ(one.Samples.Normals, three.Samples.Normals);
-}
-
-namespace
-{
-/** Classifies random balls and looks the field up in each that is said to be certain. */
-void ExpectClassificationHolds(const std::vector<Camera>& cameras, double reach, int atLeast)
-{
-  const auto photos = TakeAll(Sphere(Vector3d::Zero(), Radius), Plain(200, 200, 200), cameras);
-  const auto views = ViewsOf(photos);
-  const SilhouetteField field(views);
-  const auto offsets = RandomPoints(64, 1, 5);
-  std::mt19937 random(6);
-  std::uniform_real_distribution<double> uniform(0.01, 0.6 * reach);
-  int certain = 0;
-  for (const Vector3d& centre : RandomPoints(8000, reach, 4))
-  {
-    const double radius = uniform(random);
-    const auto position = field.Classify(centre, radius);
-    if (position == SilhouetteField::Position::Mixed)
-    {
-      continue;
-    }
-    ++certain;
-    for (const Vector3d& offset : offsets)
-    {
-      const bool inside = field.Value(centre + radius * offset.normalized()) >= 0;
-      ASSERT_EQ(inside, position == SilhouetteField::Position::Inside)
-        << centre.transpose() << " radius " << radius;
-    }
-  }
-  EXPECT_GT(certain, atLeast);
-}
-}
-
-TEST(SilhouetteField, ClassifiesABallOnlyWhenAllOfItIsThere)
-{
-  std::vector<Camera> cameras = Ring(3, 60);
-  cameras[1].K(0, 2) += 75;
-  cameras[2].K(0, 0) *= 1.6; // pixels that are not square
-  ExpectClassificationHolds(cameras, 2.5, 800);
-}
-
-TEST(SilhouetteField, ClassifiesBallsFarOffTheAxisOfAWideAngleCamera)
-{
-  // Half of the sphere and more lies outside these frames, at steep angles to the axis.
-  std::vector<Camera> cameras;
-  for (const double angle : { 0.0, 100.0 })
-  {
-    cameras.push_back(OnRing(angle, 0, 1.2, SmallPictureK(60)));
-    cameras.back().Width = 80;
-    cameras.back().K(0, 2) = 75;
-  }
-  ExpectClassificationHolds(cameras, 2.5, 200);
-}
-
-TEST(SilhouetteField, ValueIsTheLeastConeDistanceInWorldUnits)
-{
-  const auto views = ViewsOf(SpherePhotos());
-  const SilhouetteField field(views);
-  // At the middle the nearest cone is about the sphere's radius away; a pixel of tolerance.
-  EXPECT_NEAR(field.Value(Vector3d::Zero()), Radius, 4 / Focal);
-  int deciding = 7;
-  EXPECT_EQ(field.Value(Vector3d(0, 50, 0), deciding), -std::numeric_limits<double>::infinity());
-  EXPECT_EQ(deciding, -1);
-}
-
-TEST(SearchBox, EnclosesTheObjectWhenAllCamerasStandOnOneSide)
-{
-  std::vector<Camera> cameras;
-  for (const double angle : { -40.0, -20.0, 0.0, 20.0, 40.0 })
-  {
-    cameras.push_back(RoomyCamera(angle, angle / 2));
-  }
-  const auto photos = TakeAll(Sphere(Vector3d::Zero(), Radius), Plain(200, 200, 200), cameras);
-  const Eigen::AlignedBox3d box = FindSearchBox(ViewsOf(photos));
-  EXPECT_TRUE(box.contains(Vector3d::Constant(-Radius).eval()));
-  EXPECT_TRUE(box.contains(Vector3d::Constant(Radius).eval()));
-  // Across the viewing directions the box is tight; twice the sphere leaves room for perspective.
-  EXPECT_LT(box.sizes().y(), 4 * Radius);
-  EXPECT_NO_THROW(ComputeVisualHull(ViewsOf(photos)));
-}
-
-TEST(SearchBox, SilhouettesWithoutACommonPointNameTheOddOneOut)
-{
-  auto photos = SpherePhotos();
-  photos[1].Cam.T.x() += 3; // looks past the object by three of its diameters
-  ExpectError([&] { FindSearchBox(ViewsOf(photos)); },
-    "view p1: its silhouette and those of the other views have no point in common");
-}
-
-TEST(SearchBox, SilhouettesThatReachTheFrameEverywhereBoundNothing)
-{
-  auto photos = SpherePhotos();
-  for (Photo& photo : photos)
-  {
-    SetMask(photo, Image<std::uint8_t>(160, 120, 1, 255));
-  }
-  ExpectError([&] { FindSearchBox(ViewsOf(photos)); }, "do not bound the object on every side");
 }

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/ViewSelection.h"
 #include "stereo/CostVolume.h"
+#include "stereo/DepthConfidence.h"
+#include "stereo/MaskedMedian.h"
+#include "stereo/NeighbourMatching.h"
 #include "stereo/ReferenceDepth.h"
+#include "stereo/SemiGlobal.h"
 #include "support/Expect.h"
 #include "support/Scene.h"
 
@@ -25,7 +29,7 @@ float CostAt(const CostVolume& volume, int x, int y, int label)
 CostVolume OneRow(const std::vector<std::vector<float>>& costs)
 {
   CostVolume volume;
-  volume.Box = { 0, 0, static_cast<int>(costs.size()) - 1, 0 };
+  volume.Box = { 0, static_cast<int>(costs.size()), 0, 1 };
   volume.Labels = { 0, 1, static_cast<int>(costs.front().size()) };
   volume.Costs.resize(costs.size() * costs.front().size());
   for (std::size_t x = 0; x < costs.size(); ++x)
@@ -121,7 +125,7 @@ TEST(CostVolume, NothingIsMatchedBeyondTheLastOffset)
   const MatchImage other = MakeMatchImage(photos[1].AsView(), 1);
   const Image<float> last(160, 120, 1, 0.05f);
   const DepthHypotheses labels{ 0, 0.1, 2 };
-  const PixelBox box{ 70, 50, 90, 70 };
+  const PixelBox box{ 70, 91, 50, 71 };
   const auto volume = MatchNeighbours(key, photos[0].TrueDepth, last, { &other }, box, labels, {});
   EXPECT_LT(CostAt(volume, 10, 10, 0), 0.2f);
   EXPECT_EQ(CostAt(volume, 10, 10, 1), 1.f);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every mistake that a check claims to find, planted in a small data set.
 #include "Threads.h"
-#include "check/CheckCameras.h"
-#include "check/CheckPhotographs.h"
+#include "check/CheckedPhotograph.h"
 #include "check/DatasetCheck.h"
 #include "commands/CheckCommand.h"
 #include "images/OpenCvPixels.h"
@@ -400,54 +399,7 @@ TEST_F(DatasetCheck, TableAndJsonTellEverything)
   EXPECT_TRUE(json["views"][2]["hullIouWithoutBlamed"].is_null());
 }
 
-namespace
-{
-std::vector<Photograph> SixCameras()
-{
-  std::vector<Photograph> cameras(6);
-  for (int i = 0; i < 6; ++i)
-  {
-    cameras[i].Name = std::to_string(i);
-    cameras[i].Cam = support::OnRing(60.0 * i, 10);
-  }
-  return cameras;
-}
-
-void ExpectAnomaly(const std::vector<Photograph>& cameras, int id, const std::string& kind)
-{
-  const std::vector<CameraAnomaly> anomalies = FindCameraAnomalies(cameras);
-  ASSERT_EQ(anomalies.size(), 1u) << kind;
-  EXPECT_EQ(anomalies[0].Kind, kind);
-  EXPECT_EQ(anomalies[0].CameraId, id);
-}
-}
-
-TEST(CheckCameras, OddCamerasAreNamed)
-{
-  EXPECT_TRUE(FindCameraAnomalies(SixCameras()).empty());
-  std::vector<Photograph> cameras = SixCameras();
-  cameras[1].Cam.K(0, 2) = 200; // of 160
-  ExpectAnomaly(cameras, 1, "principal-point");
-  cameras = SixCameras();
-  cameras[2].Cam.K.topLeftCorner<2, 2>() /= 20; // 20 px, an eighth of the frame
-  ExpectAnomaly(cameras, 2, "focal-length");
-  cameras = SixCameras();
-  cameras[3].Cam.K(1, 1) *= 1.5;
-  ExpectAnomaly(cameras, 3, "aspect");
-  cameras = SixCameras();
-  cameras[4].Cam.R(0, 0) += 1e-4;
-  ExpectAnomaly(cameras, 4, "rotation");
-  cameras = SixCameras();
-  cameras[5].Cam = cameras[0].Cam;
-  ExpectAnomaly(cameras, 5, "same-camera");
-  cameras = SixCameras();
-  // Looks out of the ring instead of in.
-  cameras[0].Cam = LookAt(cameras[0].Cam.Centre(), 2 * cameras[0].Cam.Centre(),
-    Eigen::Vector3d::UnitY(), cameras[0].Cam.K, 160, 120);
-  ExpectAnomaly(cameras, 0, "frustum");
-}
-
-TEST(CheckPhotographs, OutliersAreFurtherOffThanTheOthersSpread)
+TEST(CheckedPhotograph, OutliersAreFurtherOffThanTheOthersSpread)
 {
   using Ids = std::vector<std::size_t>;
   EXPECT_EQ(FindOutliers({ 1, 1.01, 0.99, 1, 0.5, 2 }, 1.4, {}), (Ids{ 4, 5 }));
@@ -459,7 +411,7 @@ TEST(CheckPhotographs, OutliersAreFurtherOffThanTheOthersSpread)
   EXPECT_EQ(FindOutliers({ 1, 1, 0, 1 }, 1.4, {}), Ids{}) << "0 is unknown";
 }
 
-TEST(CheckPhotographs, SharpnessFallsWithBlurAndNotWithContrast)
+TEST(CheckedPhotograph, SharpnessFallsWithBlurAndNotWithContrast)
 {
   const Photo& photo = CleanPhotos().front();
   const auto sharpness = [](const Photo& of)

@@ -72,18 +72,6 @@ Rgb UnevenGreen(int x, int)
   return { 40 * light, 190 * light, 60 * light };
 }
 
-double IouOf(const Image<std::uint8_t>& mask, const Image<std::uint8_t>& truth)
-{
-  double both = 0;
-  double either = 0;
-  for (std::size_t i = 0; i < truth.Values.size(); ++i)
-  {
-    both += mask.Values[i] > 127 && truth.Values[i] > 127;
-    either += mask.Values[i] > 127 || truth.Values[i] > 127;
-  }
-  return both / either;
-}
-
 // The pear's outline is about 210 pixels long and its area 2700: an IoU of 0.96 is a mask that is
 // off by half a pixel all around.
 constexpr double HalfPixelIou = 0.96;

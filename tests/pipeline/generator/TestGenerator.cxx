@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/Generator.h"
+#include "generator/GeneratorRig.h"
 
 #include "mesh/ObjectMesh.h"
 #include "support/MessageOf.h"

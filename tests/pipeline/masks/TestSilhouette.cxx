@@ -2,6 +2,7 @@
 #include "core/Error.h"
 #include "dataset/Dataset.h"
 #include "images/ImageFile.h"
+#include "masks/Coverage.h"
 #include "masks/Silhouette.h"
 #include "silhouettes/ContourDistance.h"
 #include "support/TestSupport.h"
@@ -66,19 +67,6 @@ Photo Take(const Scene& scene)
   return photo;
 }
 
-/** Intersection over union with the truth. */
-double Iou(const Image<std::uint8_t>& mask, const Image<std::uint8_t>& truth)
-{
-  double common = 0;
-  double either = 0;
-  for (std::size_t i = 0; i < mask.Values.size(); ++i)
-  {
-    common += mask.Values[i] > 127 && truth.Values[i] > 127;
-    either += mask.Values[i] > 127 || truth.Values[i] > 127;
-  }
-  return common / either;
-}
-
 /** A grey ball lit from the upper left: from bright to nearly as dark as the background. */
 Seen GreyBall(double x, double y, double centreX)
 {
@@ -99,11 +87,11 @@ TEST(Silhouette, KeepsThePartsOfAnObjectThatLieInShadow)
   const Photo photo = Take([](double x, double y) { return GreyBall(x, y, 80); });
   const Image<std::uint8_t> mask = ExtractSilhouette(photo.Rgb.Ref());
   // The circumference is 250 of 5000 pixels: half a pixel all around would cost 2.5 %.
-  EXPECT_GT(Iou(mask, photo.Truth), 0.985);
+  EXPECT_GT(IouOf(mask, photo.Truth), 0.985);
   // The case is a hard one: halfway between background and object loses a lot of the ball.
   SilhouetteOptions halfway;
   halfway.Level = 100;
-  EXPECT_LT(Iou(ExtractSilhouette(photo.Rgb.Ref(), halfway), photo.Truth), 0.8);
+  EXPECT_LT(IouOf(ExtractSilhouette(photo.Rgb.Ref(), halfway), photo.Truth), 0.8);
 }
 
 TEST(Silhouette, FindsTheHalfOfAnObjectThatAShadowAllButBlackens)
@@ -118,14 +106,14 @@ TEST(Silhouette, FindsTheHalfOfAnObjectThatAShadowAllButBlackens)
       return Seen{ ball ? Colour{ light, light, light } : Colour{ 6, 6, 6 }, ball };
     });
   // The dark half's rim is known to about a pixel, 125 of 5000.
-  EXPECT_GT(Iou(ExtractSilhouette(photo.Rgb.Ref()), photo.Truth), 0.95);
+  EXPECT_GT(IouOf(ExtractSilhouette(photo.Rgb.Ref()), photo.Truth), 0.95);
 }
 
 TEST(Silhouette, OfAnObjectThatLeavesTheFrameReachesTheFrame)
 {
   const Photo photo = Take([](double x, double y) { return GreyBall(x, y, 5); });
   const Image<std::uint8_t> mask = ExtractSilhouette(photo.Rgb.Ref());
-  EXPECT_GT(Iou(mask, photo.Truth), 0.98); // as above, on half the area
+  EXPECT_GT(IouOf(mask, photo.Truth), 0.98); // as above, on half the area
   const Coverage coverage = MeasureCoverage(mask.Ref());
   EXPECT_TRUE(coverage.Left);
   EXPECT_FALSE(coverage.Right || coverage.Top || coverage.Bottom);
@@ -177,10 +165,10 @@ TEST(Silhouette, IgnoresTheCastShadowOnAColouredBackground)
       const Colour ground = shadow ? Colour{ 20, 40, 90 } : Colour{ 40, 80, 180 };
       return Seen{ box ? Colour{ 150, 150, 150 } : ground, box };
     });
-  EXPECT_GT(Iou(ExtractSilhouette(photo.Rgb.Ref()), photo.Truth), 0.97); // 3 % = half the rim
+  EXPECT_GT(IouOf(ExtractSilhouette(photo.Rgb.Ref()), photo.Truth), 0.97); // 3 % = half the rim
   SilhouetteOptions without;
   without.IgnoreShadows = false;
-  EXPECT_LT(Iou(ExtractSilhouette(photo.Rgb.Ref(), without), photo.Truth), 0.8);
+  EXPECT_LT(IouOf(ExtractSilhouette(photo.Rgb.Ref(), without), photo.Truth), 0.8);
 }
 
 TEST(Silhouette, FillsSpecksButKeepsRealHoles)
@@ -199,7 +187,7 @@ TEST(Silhouette, FillsSpecksButKeepsRealHoles)
   EXPECT_GT(mask(80, 30), 127) << "the speck in the ring";
   EXPECT_LT(mask(80, 60), 128) << "the hole of the ring";
   EXPECT_LT(mask(20, 20), 128) << "the crumb beside it";
-  EXPECT_GT(Iou(mask, photo.Truth), 0.97); // half the rim
+  EXPECT_GT(IouOf(mask, photo.Truth), 0.97); // half the rim
 }
 
 TEST(Silhouette, NothingInThePictureIsAnError)
@@ -225,6 +213,6 @@ TEST(Silhouette, AgreesWithTheMasksOfTheTemple)
     const Image<std::uint8_t> mask = ExtractSilhouette(ReadColorFile(temple / name).Ref());
     // Those masks are extracted ones, too, with corners of the backdrop in them; a pixel along the
     // temple's long outline is 3 %.
-    EXPECT_GT(Iou(mask, ReadGreyFile(temple / "mask" / name)), 0.93) << name;
+    EXPECT_GT(IouOf(mask, ReadGreyFile(temple / "mask" / name)), 0.93) << name;
   }
 }

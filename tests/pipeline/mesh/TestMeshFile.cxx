@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// People's mesh files: good ones give what VTK's readers give, spoilt ones an Error, never a crash.
+// People's mesh files: good ones give what VTK's readers give, wrong ones an Error that says why.
 #include "mesh/MeshFile.h"
 #include "mesh/ObjectMesh.h"
+#include "support/MeshFiles.h"
 #include "support/MessageOf.h"
 #include "support/TestSupport.h"
 
-#include <vtkAppendPolyData.h>
 #include <vtkCellArray.h>
 #include <vtkCleanPolyData.h>
 #include <vtkCubeSource.h>
-#include <vtkCylinderSource.h>
 #include <vtkIdList.h>
-#include <vtkLineSource.h>
 #include <vtkNew.h>
 #include <vtkOBJReader.h>
 #include <vtkOBJWriter.h>
@@ -22,17 +20,12 @@
 #include <vtkPolyData.h>
 #include <vtkSTLReader.h>
 #include <vtkSTLWriter.h>
-#include <vtkSphereSource.h>
-#include <vtkStripper.h>
 #include <vtkTriangleFilter.h>
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLPolyDataWriter.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
-#include <functional>
-#include <random>
 
 using namespace novelview;
 using namespace novelview::testing_support;
@@ -41,63 +34,6 @@ namespace fs = std::filesystem;
 
 namespace
 {
-/** Numbers without a short decimal, near and far from 1. */
-vtkSmartPointer<vtkPolyData> Ball(int precision = vtkAlgorithm::SINGLE_PRECISION)
-{
-  vtkNew<vtkSphereSource> ball;
-  ball->SetThetaResolution(9);
-  ball->SetPhiResolution(7);
-  ball->SetRadius(1.0 / 3);
-  ball->SetCenter(1e-7, -123.4567, 1e5);
-  ball->SetOutputPointsPrecision(precision);
-  ball->Update();
-  return ball->GetOutput();
-}
-
-/** Quadrangles, and two polygons of eleven corners. */
-vtkSmartPointer<vtkPolyData> Tin()
-{
-  vtkNew<vtkCylinderSource> tin;
-  tin->SetResolution(11);
-  tin->SetCenter(0.1, 0.2, 0.3);
-  tin->Update();
-  return tin->GetOutput();
-}
-
-vtkSmartPointer<vtkPolyData> Triangulated(vtkPolyData* mesh)
-{
-  vtkNew<vtkTriangleFilter> triangles;
-  triangles->SetInputData(mesh);
-  triangles->Update();
-  return triangles->GetOutput();
-}
-
-/** Strips and polygons in one mesh, and lines, which are no faces. */
-vtkSmartPointer<vtkPolyData> Strips()
-{
-  vtkNew<vtkStripper> strips;
-  strips->SetInputData(Triangulated(Ball()));
-  vtkNew<vtkLineSource> line;
-  vtkNew<vtkAppendPolyData> all;
-  all->AddInputConnection(strips->GetOutputPort());
-  all->AddInputData(Tin());
-  all->AddInputConnection(line->GetOutputPort());
-  all->Update();
-  return all->GetOutput();
-}
-
-template <class Writer>
-void Write(
-  vtkPolyData* mesh, const fs::path& file,
-  const std::function<void(Writer*)>& configure = [](Writer*) {})
-{
-  vtkNew<Writer> writer;
-  writer->SetFileName(file.c_str());
-  writer->SetInputData(mesh);
-  configure(writer);
-  ASSERT_EQ(writer->Write(), 1) << file;
-}
-
 template <class Reader>
 vtkSmartPointer<vtkPolyData> ReadWithVtk(const fs::path& file)
 {
@@ -522,162 +458,4 @@ TEST_F(MeshFile, OnePointFarAwayCostsNoTime)
   text += "f 1 2 3\n";
   WriteText(this->Folder / "far.obj", text);
   EXPECT_GT(LoadObject((this->Folder / "far.obj").string())->GetNumberOfPolys(), size * size / 2);
-}
-
-// ---- Any bytes ------------------------------------------------------------------------------------
-namespace
-{
-/** Changes a file somewhere: a byte, a cut, bytes more, a piece twice, another number. */
-std::string Spoil(std::string bytes, std::mt19937& random)
-{
-  const auto below = [&](std::size_t end)
-  { return std::uniform_int_distribution<std::size_t>(0, end > 0 ? end - 1 : 0)(random); };
-  static const std::vector<std::string> numbers = { "-1", "0", "1", "255", "256", "65536",
-    "2147483647", "2147483648", "4294967295", "-2147483649", "9223372036854775807",
-    "18446744073709551615", "1e999", "1e-999", "nan", "-inf", "0x10", "1.5", "" };
-  const std::size_t changes = 1 + below(3);
-  for (std::size_t change = 0; change < changes && !bytes.empty(); ++change)
-  {
-    const std::size_t at = below(bytes.size());
-    switch (below(6))
-    {
-      case 0:
-        bytes[at] = static_cast<char>(below(256));
-        break;
-      case 1:
-        bytes.resize(at);
-        break;
-      case 2:
-        bytes.erase(at, 1 + below(16));
-        break;
-      case 3:
-        bytes.insert(at, bytes.substr(below(bytes.size()), 1 + below(64)));
-        break;
-      case 4:
-        bytes.insert(at, 1 + below(8), static_cast<char>(below(256)));
-        break;
-      default:
-      {
-        const std::size_t number = bytes.find_first_of("0123456789", at);
-        if (number != std::string::npos)
-        {
-          const std::size_t end = bytes.find_first_not_of("0123456789.", number);
-          bytes.replace(number, end - number, numbers[below(numbers.size())]);
-        }
-      }
-    }
-  }
-  return bytes;
-}
-
-void ExpectValid(vtkPolyData* mesh)
-{
-  ASSERT_GT(mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips(), 0);
-  for (vtkIdType ptId = 0; ptId < mesh->GetNumberOfPoints(); ++ptId)
-  {
-    const double* point = mesh->GetPoint(ptId);
-    ASSERT_TRUE(std::isfinite(point[0]) && std::isfinite(point[1]) && std::isfinite(point[2]));
-  }
-  for (vtkCellArray* faces : { mesh->GetPolys(), mesh->GetStrips() })
-  {
-    vtkNew<vtkIdList> ids;
-    for (vtkIdType cellId = 0; cellId < faces->GetNumberOfCells(); ++cellId)
-    {
-      faces->GetCellAtId(cellId, ids);
-      ASSERT_GE(ids->GetNumberOfIds(), 3);
-      for (const vtkIdType id : *ids)
-      {
-        ASSERT_TRUE(id >= 0 && id < mesh->GetNumberOfPoints());
-      }
-    }
-  }
-}
-
-/** Every spoilt file is a valid mesh or an Error of one line. */
-void ExpectMeshOrError(const std::string& extension, const std::vector<std::string>& good)
-{
-  for (const std::string& bytes : good)
-  {
-    EXPECT_EQ(MessageOf([&] { ParseMesh(bytes, extension, "file"); }), "");
-  }
-  std::mt19937 random(7);
-  int errors = 0;
-  int meshes = 0;
-  for (int round = 0; round < 3000; ++round)
-  {
-    const std::string bytes = Spoil(good[static_cast<std::size_t>(round) % good.size()], random);
-    try
-    {
-      const vtkSmartPointer<vtkPolyData> mesh = ParseMesh(bytes, extension, "file");
-      ASSERT_NO_FATAL_FAILURE(ExpectValid(mesh)) << "round " << round;
-      ASSERT_NO_FATAL_FAILURE(ExpectValid(MakeObject(mesh, "file"))) << "round " << round;
-      ++meshes;
-    }
-    catch (const Error& error)
-    {
-      const std::string text = error.what();
-      ASSERT_EQ(text.rfind("file", 0), 0u) << text;
-      ASSERT_EQ(text.find('\n'), std::string::npos) << text;
-      ASSERT_LT(text.size(), 400u) << text;
-      ++errors;
-    }
-  }
-  EXPECT_GT(errors, 300) << "the files are spoilt";
-  EXPECT_GT(meshes, 30) << "but not always";
-}
-
-class SpoiltMeshFile : public MeshFile
-{
-protected:
-  template <class Writer>
-  std::string Bytes(vtkPolyData* mesh, const std::function<void(Writer*)>& configure)
-  {
-    Write<Writer>(mesh, this->Folder / "file.ply", configure); // vtkPLYWriter asks for the name
-    return ReadText(this->Folder / "file.ply");
-  }
-};
-}
-
-TEST_F(SpoiltMeshFile, PlyIsAMeshOrAnError)
-{
-  const vtkSmartPointer<vtkPolyData> tin = Tin();
-  ExpectMeshOrError(".ply",
-    { this->Bytes<vtkPLYWriter>(tin, [](vtkPLYWriter* w) { w->SetFileTypeToASCII(); }),
-      this->Bytes<vtkPLYWriter>(tin, [](vtkPLYWriter* w) { w->SetDataByteOrderToLittleEndian(); }),
-      this->Bytes<vtkPLYWriter>(tin, [](vtkPLYWriter* w) { w->SetDataByteOrderToBigEndian(); }) });
-}
-
-TEST_F(SpoiltMeshFile, ObjIsAMeshOrAnError)
-{
-  ExpectMeshOrError(
-    ".obj", { this->Bytes<vtkOBJWriter>(Triangulated(Tin()), [](vtkOBJWriter*) {}) });
-}
-
-TEST_F(SpoiltMeshFile, StlIsAMeshOrAnError)
-{
-  const vtkSmartPointer<vtkPolyData> tin = Triangulated(Tin());
-  ExpectMeshOrError(".stl",
-    { this->Bytes<vtkSTLWriter>(tin, [](vtkSTLWriter* w) { w->SetFileTypeToASCII(); }),
-      this->Bytes<vtkSTLWriter>(tin, [](vtkSTLWriter* w) { w->SetFileTypeToBinary(); }) });
-}
-
-TEST_F(SpoiltMeshFile, VtpIsAMeshOrAnError)
-{
-  using Kind = vtkXMLWriterBase;
-  std::vector<std::string> good;
-  for (const int mode : { Kind::Ascii, Kind::Binary, Kind::Appended })
-  {
-    for (const int compressor : { Kind::NONE, Kind::ZLIB, Kind::LZ4, Kind::LZMA })
-    {
-      good.push_back(this->Bytes<vtkXMLPolyDataWriter>(Strips(),
-        [&](vtkXMLPolyDataWriter* writer)
-        {
-          writer->SetDataMode(mode);
-          writer->SetCompressorType(compressor);
-          writer->SetEncodeAppendedData(compressor % 2 == 0);
-          writer->SetBlockSize(360);
-        }));
-    }
-  }
-  ExpectMeshOrError(".vtp", good);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/PrintableText.h"
 
+#include <algorithm>
 #include <array>
 
 namespace novelview
@@ -71,8 +72,7 @@ std::size_t Utf8Length(std::string_view text, std::size_t at)
   // The shortest form only, no halves of surrogate pairs, nothing behind the last character.
   constexpr std::array<char32_t, 5> Min{ 0, 0, 0x80, 0x800, 0x10000 };
   const char32_t code = CharacterAt(text, at, length);
-  const bool valid =
-    code >= Min[length] && code <= 0x10FFFF && !(code >= 0xD800 && code <= 0xDFFF);
+  const bool valid = code >= Min[length] && code <= 0x10FFFF && !(code >= 0xD800 && code <= 0xDFFF);
   return valid ? length : 0;
 }
 
@@ -157,5 +157,14 @@ std::string PrintableLine(std::string_view text)
   const std::size_t half = MostLookedAt / 2;
   return Shortened(
     Printable(text.substr(0, half)) + Printable(text.substr(text.size() - half)), MaxInLine);
+}
+
+std::string Quoted(std::string_view word)
+{
+  constexpr std::size_t most = 40;
+  std::string text(word.substr(0, most));
+  std::replace_if(
+    text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c > 0x7e; }, '?');
+  return "\"" + text + (word.size() > most ? "...\"" : "\"");
 }
 }

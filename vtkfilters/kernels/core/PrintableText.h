@@ -33,6 +33,9 @@ std::string Shortened(const std::string& text, std::size_t most);
 /** Printable and shortened, for a line that has nothing else. */
 std::string PrintableLine(std::string_view text);
 
+/** A word of a file in quotes, for messages: of a long one the beginning, strange bytes as "?". */
+std::string Quoted(std::string_view word);
+
 /** The most bytes of a line for people. */
 constexpr std::size_t MaxInLine = 300;
 }

@@ -3,6 +3,7 @@
 #ifndef novelview_CrustSurface_h
 #define novelview_CrustSurface_h
 
+#include "crust/PowerDiagram.h"
 #include "crust/TetLabels.h"
 #include "geometry/TriangleMesh.h"
 

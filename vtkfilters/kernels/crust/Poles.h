@@ -9,14 +9,6 @@
 
 namespace novelview
 {
-/** On which side of the surface a ball or a tetrahedron is. */
-enum class Side : char
-{
-  Unknown,
-  Inside,
-  Outside
-};
-
 /** The poles of all samples: circumspheres of Delaunay tetrahedra, each listed once. */
 struct Poles
 {

@@ -3,6 +3,12 @@
 
 #include "core/Error.h"
 #include "crust/CrustSurface.h"
+#include "crust/LabelPropagation.h"
+#include "crust/ManifoldRepair.h"
+#include "crust/PoleLabelling.h"
+#include "crust/Poles.h"
+#include "crust/SampleRecovery.h"
+#include "crust/SmallComponents.h"
 
 #include <algorithm>
 #include <string>
@@ -92,7 +98,8 @@ PowerCrustResult ComputePowerCrust(const std::vector<Eigen::Vector3d>& points,
   }
   const DelaunayComplex complex = BuildDelaunayComplex(points, execution);
   const Poles poles = FindPoles(complex, options.Output == CrustOutput::PowerCrust, execution);
-  std::vector<Side> tetLabels = LabelTets(complex, poles.OfSample, normals, execution);
+  std::vector<Side> tetLabels = LabelPoles(complex, poles.OfSample, normals, execution);
+  PropagateLabels(complex, tetLabels, execution);
   execution.Report(0.8);
 
   PowerCrustResult result;

@@ -68,7 +68,7 @@ struct PowerCrustResult
  *  2. Poles: per sample the farthest vertex of its Voronoi cell, and the farthest one on the other
  *     side of the sample.
  *  3. Poles are labelled inside or outside, most certain first, from the far corners on; the other
- *     Voronoi vertices follow the one whose ball theirs agrees with best (LabelTets).
+ *     Voronoi vertices follow the one whose ball theirs agrees with best (PropagateLabels).
  *  4. PowerCrust: the power diagram of the polar balls (radius = distance to the sample); its faces
  *     between inside and outside, triangulated.
  *     DelaunayCrust: small pieces are dropped; tetrahedra are turned over where the boundary is not
@@ -76,7 +76,7 @@ struct PowerCrustResult
  *     tetrahedra is extracted, and what is still not manifold is split.
  *
  * Differs from the paper: labels spread between the poles of neighbouring samples, not of
- * neighbouring power cells, and a pole sums all its evidence (see LabelTets), so DelaunayCrust needs
+ * neighbouring power cells, and a pole sums all its evidence (see LabelPoles), so DelaunayCrust needs
  * no power diagram; cospherical samples give one pole; normals may help; no balls are thrown away
  * for noise; the samples themselves can be the vertices.
  *

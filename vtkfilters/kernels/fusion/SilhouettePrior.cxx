@@ -3,7 +3,7 @@
 
 #include "core/Quantile.h"
 #include "core/ToInt.h"
-#include "geometry/Rasteriser.h"
+#include "geometry/DepthImage.h"
 #include "geometry/ViewSelection.h"
 #include "geometry/Visibility.h"
 

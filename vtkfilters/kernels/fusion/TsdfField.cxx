@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fusion/TsdfField.h"
 
-#include "core/FunctionMultiversioning.h"
+#include "fusion/TsdfRay.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,90 +36,7 @@ double ParabolaAt(const std::vector<double>& values, int k)
   const auto at = [&](int i) { return values[std::clamp(i, 0, last)]; };
   return (17 * at(k) + 12 * (at(k - 1) + at(k + 1)) - 3 * (at(k - 2) + at(k + 2))) / 35;
 }
-
-/**
- * The numbers of a Ray, an array over all views each: homogeneous coordinates of its origin and of
- * its direction, and where the views see a point of it.
- */
-struct RayArrays
-{
-  const double *OriginX, *OriginY, *OriginZ;
-  const double *DirectionX, *DirectionY, *DirectionZ;
-  double *X, *Y, *Z;
-  int *Column, *Row;
-};
-
-/** Projects the point at parameter t. Column and row are -1 before the first or behind a camera. */
-NOVELVIEW_CLONES void ProjectPoint(const RayArrays& ray, double t, int count)
-{
-  constexpr double most = 1 << 24; // beyond every frame
-  for (int i = 0; i < count; ++i)
-  {
-    const double z = ray.OriginZ[i] + t * ray.DirectionZ[i];
-    const double x = (ray.OriginX[i] + t * ray.DirectionX[i]) / z;
-    const double y = (ray.OriginY[i] + t * ray.DirectionY[i]) / z;
-    ray.X[i] = x;
-    ray.Y[i] = y;
-    ray.Z[i] = z;
-    // Rounded to the nearest; nothing below 0 comes before the conversion, which cuts off.
-    const double column = z > 0 && x > -1 ? std::min(x, most) + 1.5 : 0;
-    const double row = z > 0 && y > -1 ? std::min(y, most) + 1.5 : 0;
-    ray.Column[i] = static_cast<int>(column) - 1;
-    ray.Row[i] = static_cast<int>(row) - 1;
-  }
 }
-}
-
-/** A ray through the field, and where the views see one of its points. */
-class TsdfField::Ray
-{
-public:
-  Ray(const std::vector<TsdfView>& views, const Vector3d& origin, const Vector3d& direction)
-    : Count(static_cast<int>(views.size()))
-    , Numbers(9 * views.size())
-    , Pixels(2 * views.size())
-  {
-    for (int i = 0; i < this->Count; ++i)
-    {
-      const Vector3d o = views[i].P.leftCols<3>() * origin + views[i].P.col(3);
-      const Vector3d d = views[i].P.leftCols<3>() * direction;
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        this->Array(axis)[i] = o[axis];
-        this->Array(3 + axis)[i] = d[axis];
-      }
-    }
-  }
-
-  void MoveTo(double t)
-  {
-    ProjectPoint({ this->Array(0), this->Array(1), this->Array(2), this->Array(3), this->Array(4),
-                   this->Array(5), this->Array(6), this->Array(7), this->Array(8),
-                   this->Pixels.data(), this->Pixels.data() + this->Count },
-      t, this->Count);
-  }
-
-  /** Where view i sees the point; false when it is behind the camera or outside the frame. */
-  bool See(int i, const TsdfView& view, ProjectedSample& sample) const
-  {
-    sample.Column = this->Pixels[i];
-    sample.Row = this->Pixels[this->Count + i];
-    sample.X = this->Numbers[6 * this->Count + i];
-    sample.Y = this->Numbers[7 * this->Count + i];
-    sample.Depth = this->Numbers[8 * this->Count + i];
-    return view.ContourDistance.Contains(sample.Column, sample.Row);
-  }
-
-private:
-  double* Array(int i)
-  {
-    return this->Numbers.data() + static_cast<std::ptrdiff_t>(i) * this->Count;
-  }
-
-  int Count;
-  std::vector<double> Numbers;
-  std::vector<int> Pixels;
-};
 
 TsdfField::TsdfField(const std::vector<View>& views, const FusionOptions& options, double footprint)
   : Options(options)
@@ -172,58 +89,14 @@ void TsdfField::ClipToBounds(
   }
 }
 
-double TsdfField::TsdfView::Incidence(int x, int y) const
-{
-  constexpr int reach = 3;
-  const ImageRef<const float>& map = this->DepthMap;
-  const double depth = map(x, y);
-  // The less steep side: the other may lie across an edge.
-  const auto slope = [&](int dx, int dy)
-  {
-    double least = std::numeric_limits<double>::infinity();
-    for (const int side : { -reach, reach })
-    {
-      const int i = x + side * dx;
-      const int j = y + side * dy;
-      if (map.Contains(i, j) && map(i, j) > 0)
-      {
-        least = std::min(least, std::abs(map(i, j) - depth) / reach);
-      }
-    }
-    return std::isfinite(least) ? least / this->Cam->PixelFootprint(depth) : 0.0;
-  };
-  const double across = slope(1, 0);
-  const double down = slope(0, 1);
-  return 1 / std::sqrt(1 + across * across + down * down);
-}
-
-void TsdfField::TsdfView::Accumulate(
-  const ProjectedSample& sample, double tau, double grazing, double& f, double& w) const
-{
-  const double depth = this->DepthMap(sample.Column, sample.Row);
-  const double s = depth - sample.Depth;
-  if (depth > 0 && s >= -tau)
-  {
-    double confidence = this->Confidence(sample.Column, sample.Row);
-    if (grazing > 0)
-    {
-      const double unsure = 1 - confidence;
-      confidence *=
-        1 - grazing * unsure * unsure * unsure * (1 - this->Incidence(sample.Column, sample.Row));
-    }
-    f += confidence * std::min(1.0, s / tau);
-    w += confidence;
-  }
-}
-
 bool TsdfField::Accumulate(const Vector3d& x, double& f, double& w) const
 {
-  Ray ray(this->Views, x, Vector3d::Zero());
+  TsdfRay ray(this->Views, x, Vector3d::Zero());
   ray.MoveTo(0);
   return this->Accumulate(ray, f, w);
 }
 
-bool TsdfField::Accumulate(const Ray& ray, double& f, double& w) const
+bool TsdfField::Accumulate(const TsdfRay& ray, double& f, double& w) const
 {
   f = 0;
   w = 0;
@@ -245,7 +118,7 @@ bool TsdfField::Accumulate(const Ray& ray, double& f, double& w) const
   return true;
 }
 
-double TsdfField::Value(const Ray& ray) const
+double TsdfField::Value(const TsdfRay& ray) const
 {
   double f;
   double w;
@@ -259,7 +132,7 @@ TsdfField::RayResult TsdfField::FindFirstCrossing(
   RayResult result;
   this->ClipToBounds(origin, direction, from, to);
   const double w0 = this->Options.SurfacePrior;
-  Ray ray(this->Views, origin, direction);
+  TsdfRay ray(this->Views, origin, direction);
   double inside = 0; // length of the ray inside every silhouette so far
   double previous = from;
   bool previousFree = false;
@@ -304,26 +177,7 @@ TsdfField::RayResult TsdfField::FindFirstCrossing(
   return result;
 }
 
-int TsdfField::TsdfView::StepsWithin(
-  double pixels, const ProjectedSample& sample, const Vector3d& step) const
-{
-  const ImageRef<const float>& contour = this->ContourDistance;
-  const double reach = std::min(
-    { pixels, sample.X, sample.Y, contour.Width - 1 - sample.X, contour.Height - 1 - sample.Y });
-  if (reach <= 0)
-  {
-    return 0;
-  }
-  // After n steps q of homogeneous coordinates the picture has moved by n m / (z + n q.z).
-  const Vector3d q = this->P.leftCols<3>() * step;
-  const double m = std::hypot(q.x() - sample.X * q.z(), q.y() - sample.Y * q.z());
-  const double growth = m - reach * q.z();
-  constexpr double most = 1e6;
-  return static_cast<int>(
-    growth * most > reach * sample.Depth ? reach * sample.Depth / growth : most);
-}
-
-TsdfField::Sample TsdfField::SampleAt(const Ray& ray, const Vector3d& step) const
+TsdfField::Sample TsdfField::SampleAt(const TsdfRay& ray, const Vector3d& step) const
 {
   const double tau = this->Options.TruncationPx;
   constexpr double nearest = 0.75; // pixels from a point to the nearest pixel's centre, at most
@@ -366,7 +220,7 @@ TsdfField::ClosestApproach TsdfField::FindClosestApproach(
   const std::size_t count = 1 + static_cast<std::size_t>((to - from) / step);
   std::vector<double> outside(count, tau);
   std::vector<double> field(count, tau);
-  Ray ray(this->Views, origin, direction);
+  TsdfRay ray(this->Views, origin, direction);
   double inside = 0;
   for (std::size_t k = 0; k < count; ++k)
   {
@@ -408,7 +262,7 @@ double TsdfField::PriorNeeded(const Vector3d& origin, const Vector3d& direction,
   double to, double step, double enough) const
 {
   this->ClipToBounds(origin, direction, from, to);
-  Ray ray(this->Views, origin, direction);
+  TsdfRay ray(this->Views, origin, direction);
   double least = std::numeric_limits<double>::infinity();
   double inside = 0;
   for (double t = from; t <= to && least > enough; t += step)

@@ -2,6 +2,7 @@
 #ifndef novelview_TsdfField_h
 #define novelview_TsdfField_h
 
+#include "fusion/TsdfView.h"
 #include "geometry/View.h"
 
 #include <Eigen/Geometry>
@@ -11,6 +12,8 @@
 
 namespace novelview
 {
+class TsdfRay;
+
 struct FusionOptions
 {
   double TruncationPx = 5;      ///< tau, input pixel footprints
@@ -94,34 +97,8 @@ public:
 private:
   /** How much more the prior weighs after this length of ray inside every silhouette. */
   double ChordFactor(double inside) const;
-  /** Where a view sees a point. */
-  struct ProjectedSample
-  {
-    double X, Y;     ///< pixels
-    double Depth;    ///< of the point
-    int Column, Row; ///< the nearest pixel
-  };
-  /** What a view knows. */
-  struct TsdfView
-  {
-    Eigen::Matrix<double, 3, 4> P;
-    ImageRef<const float> ContourDistance;
-    ImageRef<const float> DepthMap;
-    ImageRef<const float> Confidence;
-    const Camera* Cam;
-
-    /** Adds what the view's map says about the point. */
-    void Accumulate(
-      const ProjectedSample& sample, double tau, double grazing, double& f, double& w) const;
-    /** How many steps from a point its picture stays within `pixels` of here, and in the frame. */
-    int StepsWithin(
-      double pixels, const ProjectedSample& sample, const Eigen::Vector3d& step) const;
-    /** Cosine of the angle at which the view sees the surface of its map at a pixel. */
-    double Incidence(int x, int y) const;
-  };
-  class Ray;
-  bool Accumulate(const Ray& ray, double& f, double& w) const;
-  double Value(const Ray& ray) const;
+  bool Accumulate(const TsdfRay& ray, double& f, double& w) const;
+  double Value(const TsdfRay& ray) const;
   /** What silhouettes and maps say about a point of a ray. */
   struct Sample
   {
@@ -129,7 +106,7 @@ private:
     double F, W;    ///< the maps' votes; not complete when Outside is tau
     int FreeSteps;  ///< so many further steps of the ray are tau or more outside, too
   };
-  Sample SampleAt(const Ray& ray, const Eigen::Vector3d& step) const;
+  Sample SampleAt(const TsdfRay& ray, const Eigen::Vector3d& step) const;
   /** Shortens [from, to] of a ray to what lies in the box around the maps' surfaces. */
   void ClipToBounds(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, double& from,
     double& to) const;

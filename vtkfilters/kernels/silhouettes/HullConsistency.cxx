@@ -2,9 +2,11 @@
 #include "silhouettes/HullConsistency.h"
 
 #include "core/ToInt.h"
+#include "silhouettes/SilhouetteWitness.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace novelview
@@ -15,134 +17,6 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr int MaxSteps = 4096; ///< along a ray, whatever the cameras are
-
-/** A range of the parameter of a ray. */
-struct RayRange
-{
-  double From = 0;
-  double To = 1;
-
-  /** Keeps the part where a linear function with these values at 0 and 1 is not negative. */
-  void Clip(double at0, double at1)
-  {
-    if (at0 < 0 && at1 < 0)
-    {
-      this->To = this->From - 1;
-    }
-    else if (at0 < 0)
-    {
-      this->From = std::max(this->From, at0 / (at0 - at1));
-    }
-    else if (at1 < 0)
-    {
-      this->To = std::min(this->To, at0 / (at0 - at1));
-    }
-  }
-  bool Empty() const { return !(this->From < this->To); }
-};
-
-/** A ray in a view's picture: h(q) = (1 - q) Start + q End, pixel h.head / h.z, q in [0, 1]. */
-struct PictureLine
-{
-  Vector3d Start;
-  Vector3d End;
-
-  Vector3d At(double q) const { return (1 - q) * this->Start + q * this->End; }
-};
-
-/** A silhouette that can be asked about points. */
-class SilhouetteWitness
-{
-public:
-  explicit SilhouetteWitness(const View& view)
-    : Cam(view.Cam)
-    , Distance(view.ContourDistance)
-  {
-    const ImageRef<const std::uint8_t>& mask = view.Mask;
-    for (int x = 0; x < mask.Width; ++x)
-    {
-      this->Top |= view.IsObject(x, 0);
-      this->Bottom |= view.IsObject(x, mask.Height - 1);
-    }
-    for (int y = 0; y < mask.Height; ++y)
-    {
-      this->Left |= view.IsObject(0, y);
-      this->Right |= view.IsObject(mask.Width - 1, y);
-    }
-  }
-
-  /** The ray from `origin` (q = 0) along `direction` to infinity (q = 1). */
-  PictureLine Line(const Vector3d& origin, const Vector3d& direction) const
-  {
-    return { this->Cam.K * this->Cam.ToCamera(origin), this->Cam.K * (this->Cam.R * direction) };
-  }
-
-  /** Where a line lies in front of the camera and no more than `px` beyond a closed side. */
-  RayRange Range(const PictureLine& line, double px) const
-  {
-    const double right = this->Distance.Width - 1 + px;
-    const double bottom = this->Distance.Height - 1 + px;
-    RayRange range;
-    const auto clip = [&](double sign, int axis, double limit)
-    {
-      range.Clip(sign * (line.Start[axis] - limit * line.Start.z()),
-        sign * (line.End[axis] - limit * line.End.z()));
-    };
-    range.Clip(line.Start.z(), line.End.z());
-    if (!this->Left)
-    {
-      clip(1, 0, -px);
-    }
-    if (!this->Right)
-    {
-      clip(-1, 0, right);
-    }
-    if (!this->Top)
-    {
-      clip(1, 1, -px);
-    }
-    if (!this->Bottom)
-    {
-      clip(-1, 1, bottom);
-    }
-    return range;
-  }
-
-  /** The signed distance inside the contour at a point of a line; adds 1 to `seen` in the frame. */
-  double Ask(const Vector3d& h, double floorPx, int& seen) const
-  {
-    if (!(h.z() > 0))
-    {
-      return -floorPx;
-    }
-    const double x = h.x() / h.z();
-    const double y = h.y() / h.z();
-    const double right = this->Distance.Width - 1;
-    const double bottom = this->Distance.Height - 1;
-    const double beyond = std::max({ this->Left ? 0 : -x, this->Right ? 0 : x - right,
-      this->Top ? 0 : -y, this->Bottom ? 0 : y - bottom, 0.0 });
-    if (beyond > 0)
-    {
-      const double there = SampleBilinear(this->Distance, x, y);
-      return std::max(std::min(there, 0.0) - beyond, -floorPx);
-    }
-    if (x < -0.5 || y < -0.5 || x > right + 0.5 || y > bottom + 0.5)
-    {
-      return std::numeric_limits<double>::infinity();
-    }
-    ++seen;
-    return std::max(SampleBilinear(this->Distance, x, y), -floorPx);
-  }
-
-  const Camera& Cam;
-
-private:
-  ImageRef<const float> Distance;
-  bool Left = false; ///< whether the silhouette reaches this side of the frame
-  bool Right = false;
-  bool Top = false;
-  bool Bottom = false;
-};
 
 /** What the other views say about a point. */
 struct PointVerdict
@@ -344,31 +218,6 @@ private:
   std::size_t Asked = 0;
   double BestAt = 0;
 };
-
-/** Every pixel a condition holds for, thinned out to about `count`. */
-template <class Condition>
-std::vector<SilhouetteRay> ThinnedPixels(
-  const ImageRef<const float>& distance, int viewId, int count, const Condition& holds)
-{
-  std::vector<SilhouetteRay> all;
-  for (int y = 1; y + 1 < distance.Height; ++y)
-  {
-    for (int x = 1; x + 1 < distance.Width; ++x)
-    {
-      if (holds(distance(x, y)))
-      {
-        all.push_back({ viewId, Vector2d(x, y) });
-      }
-    }
-  }
-  const std::size_t wanted = std::min<std::size_t>(all.size(), static_cast<std::size_t>(count));
-  std::vector<SilhouetteRay> rays;
-  for (std::size_t i = 0; i < wanted; ++i)
-  {
-    rays.push_back(all[i * all.size() / wanted]);
-  }
-  return rays;
-}
 }
 
 std::vector<RayConsistency> FollowSilhouetteRays(const std::vector<View>& views,
@@ -382,30 +231,5 @@ std::vector<RayConsistency> FollowSilhouetteRays(const std::vector<View>& views,
     [&](AgreementFollower& follower, std::int64_t i) { agreements[i] = follower.Follow(rays[i]); });
   execution.Report(1);
   return agreements;
-}
-
-std::vector<SilhouetteRay> AreaRays(const std::vector<View>& views, int viewId, int count)
-{
-  return ThinnedPixels(
-    views[viewId].ContourDistance, viewId, count, [](float distance) { return distance > 0; });
-}
-
-std::vector<SilhouetteRay> ContourRays(const std::vector<View>& views, int viewId, int count)
-{
-  const ImageRef<const float>& distance = views[viewId].ContourDistance;
-  std::vector<SilhouetteRay> rays =
-    ThinnedPixels(distance, viewId, count, [](float inside) { return inside > 0 && inside <= 1; });
-  for (SilhouetteRay& ray : rays)
-  {
-    const int x = static_cast<int>(ray.Pixel.x());
-    const int y = static_cast<int>(ray.Pixel.y());
-    const Vector2d inwards(
-      distance(x + 1, y) - distance(x - 1, y), distance(x, y + 1) - distance(x, y - 1));
-    if (inwards.norm() > 0)
-    {
-      ray.Pixel -= distance(x, y) * inwards.normalized();
-    }
-  }
-  return rays;
 }
 }

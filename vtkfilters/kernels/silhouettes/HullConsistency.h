@@ -4,19 +4,12 @@
 
 #include "core/Execution.h"
 #include "geometry/View.h"
+#include "silhouettes/SilhouetteRays.h"
 
-#include <cstdint>
 #include <vector>
 
 namespace novelview
 {
-/** A ray from a view's centre through a pixel of its picture. */
-struct SilhouetteRay
-{
-  int ViewId = 0;
-  Eigen::Vector2d Pixel = Eigen::Vector2d::Zero();
-};
-
 struct HullConsistencyOptions
 {
   double StepPx = 0.5;      ///< how far apart a ray is sampled, in the picture where that is most
@@ -54,15 +47,6 @@ struct RayConsistency
 std::vector<RayConsistency> FollowSilhouetteRays(const std::vector<View>& views,
   const std::vector<SilhouetteRay>& rays, const HullConsistencyOptions& options = {},
   const Execution& execution = {});
-
-/** About `count` rays of a view, through pixels of its silhouette that lie evenly over its area. */
-std::vector<SilhouetteRay> AreaRays(const std::vector<View>& views, int viewId, int count);
-
-/**
- * About `count` rays of a view, through points evenly along its contour, which are found to a tenth
- * of a pixel; not where the contour runs along the frame.
- */
-std::vector<SilhouetteRay> ContourRays(const std::vector<View>& views, int viewId, int count);
 }
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stereo/ReferenceDepth.h"
+#include "stereo/DepthConfidence.h"
 
 #include "geometry/ViewSelection.h"
 

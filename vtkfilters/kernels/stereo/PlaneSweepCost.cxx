@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The loops over a row are plain so that the compiler does several pixels at once.
 #include "stereo/PlaneSweepCost.h"
 
-#include "core/FunctionMultiversioning.h"
+#include "stereo/RowLoops.h"
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <cstring>
 
 namespace novelview
@@ -43,232 +41,6 @@ Float4 SamplePixel(const std::uint8_t* top, std::size_t stride, std::int16_t dow
   const Float4 b = __builtin_convertvector(reinterpret_cast<Int4>(high), Float4);
   return a + right * (b - a);
 }
-
-/** Where the rays of a row meet a neighbour; see PlaneSweepCost::Hits. */
-struct RayRow
-{
-  const float* Base; ///< depths; of column 0, as are all others
-  const float* Last;
-  std::int32_t* First;
-  std::int32_t* Nearest;
-  std::int32_t* Down;
-  float* Right;
-};
-
-/** A ray's way through a neighbour: Slope column + Start, times depth, plus End. */
-struct RayWay
-{
-  float Slope[3], Start[3], End[3];
-};
-
-NOVELVIEW_CLONES void ProjectColumns(
-  RayRow row, RayWay way, float offset, std::int32_t width, std::int32_t height, int begin, int end)
-{
-  const float maxX = static_cast<float>(width - 1);
-  const float maxY = static_cast<float>(height - 1);
-#pragma GCC ivdep
-  for (int i = begin; i < end; ++i)
-  {
-    const float column = static_cast<float>(i);
-    const float depth = row.Base[i] + offset;
-    const float px = (way.Slope[0] * column + way.Start[0]) * depth + way.End[0];
-    const float py = (way.Slope[1] * column + way.Start[1]) * depth + way.End[1];
-    const float pz = (way.Slope[2] * column + way.Start[2]) * depth + way.End[2];
-    const float x = px / pz;
-    const float y = py / pz;
-    const bool meets = (row.Base[i] > 0) & (offset <= row.Last[i]) & (pz > 0) & (x >= 0) &
-      (y >= 0) & (x < maxX) & (y < maxY);
-    // Not a number, which is no less than 0 and no more, becomes 0.
-    const float safeX = std::min(std::max(0.f, x), maxX);
-    const float safeY = std::min(std::max(0.f, y), maxY);
-    const auto x0 = static_cast<std::int32_t>(safeX);
-    const auto y0 = static_cast<std::int32_t>(safeY);
-    const float fx = safeX - static_cast<float>(x0);
-    const float fy = safeY - static_cast<float>(y0);
-    const std::int32_t pixel = y0 * width + x0;
-    const std::int32_t near = pixel + (fx >= 0.5f ? 1 : 0) + (fy >= 0.5f ? width : 0);
-    row.First[i] = pixel;
-    row.Nearest[i] = near | (static_cast<std::int32_t>(meets) - 1);
-    row.Down[i] = static_cast<std::int32_t>(fy * 128);
-    row.Right[i] = fx;
-  }
-}
-
-/** The pixels of a row: those of the reference, those of the neighbour, and what they give. */
-struct PairRow
-{
-  const std::uint8_t* Red;
-  const std::uint8_t* Green;
-  const std::uint8_t* Blue;
-  const std::uint8_t* Luma;
-  const float* Picked;         ///< R, G, B, luma of the neighbour, times 128
-  const std::int32_t* Nearest; ///< negative where there is none
-  std::uint8_t* Count;
-  std::uint8_t* KeyLuma;
-  std::uint8_t* OtherLuma;
-  std::uint8_t* Difference;
-};
-
-NOVELVIEW_CLONES void CompareColumns(PairRow row, float levelsPerGrey, int begin, int end)
-{
-  constexpr float unit = 1.f / 128;
-#pragma GCC ivdep
-  for (int i = begin; i < end; ++i)
-  {
-    const std::int32_t both = row.Nearest[i] < 0 ? 0 : 255;
-    const float r = static_cast<float>(row.Red[i]) - unit * row.Picked[4 * i];
-    const float g = static_cast<float>(row.Green[i]) - unit * row.Picked[4 * i + 1];
-    const float b = static_cast<float>(row.Blue[i]) - unit * row.Picked[4 * i + 2];
-    const float levels = std::sqrt(r * r + g * g + b * b) * levelsPerGrey + 0.5f;
-    const auto luma = static_cast<std::int32_t>(unit * row.Picked[4 * i + 3] + 0.5f);
-    row.Count[i] = static_cast<std::uint8_t>(both & 1);
-    row.KeyLuma[i] = static_cast<std::uint8_t>(row.Luma[i] & both);
-    row.OtherLuma[i] = static_cast<std::uint8_t>(luma & both);
-    row.Difference[i] =
-      static_cast<std::uint8_t>(static_cast<std::int32_t>(std::min(levels, 255.f)) & both);
-  }
-}
-
-/** sums[i] += entering[i] - leaving[i]. */
-NOVELVIEW_CLONES void AddChange(std::uint16_t* __restrict sums,
-  const std::uint8_t* __restrict entering, const std::uint8_t* __restrict leaving, int begin,
-  int end)
-{
-  for (int i = begin; i < end; ++i)
-  {
-    sums[i] = static_cast<std::uint16_t>(sums[i] + entering[i] - leaving[i]);
-  }
-}
-
-/** The same for products of two factors. */
-NOVELVIEW_CLONES void AddChange(std::int32_t* __restrict sums,
-  const std::uint8_t* __restrict enteringA, const std::uint8_t* __restrict enteringB,
-  const std::uint8_t* __restrict leavingA, const std::uint8_t* __restrict leavingB, int begin,
-  int end)
-{
-  for (int i = begin; i < end; ++i)
-  {
-    const auto entering = static_cast<std::uint16_t>(enteringA[i] * enteringB[i]);
-    const auto leaving = static_cast<std::uint16_t>(leavingA[i] * leavingB[i]);
-    sums[i] += entering - leaving;
-  }
-}
-
-/** What CostsOfColumns needs to know. */
-struct CostRule
-{
-  float MinCount;
-  float ShareOfColor;
-  float Noise;
-};
-
-/** Sum over the window's columns; KnownSide = 0 if it is known only when the program runs. */
-template <int KnownSide, class T>
-[[gnu::always_inline]] inline T AcrossWindow(const T* columns, int side)
-{
-  T sum = columns[0];
-  for (int k = 1; k < (KnownSide ? KnownSide : side); ++k)
-  {
-    sum = static_cast<T>(sum + columns[k]);
-  }
-  return sum;
-}
-
-/** Sums over the columns of each sort. */
-struct ColumnSums
-{
-  const std::uint16_t* Count;
-  const std::uint16_t* Reference;
-  const std::uint16_t* Other;
-  const std::uint16_t* Difference;
-  const std::int32_t* Reference2;
-  const std::int32_t* Other2;
-  const std::int32_t* Product;
-};
-
-template <int KnownSide>
-[[gnu::always_inline]] inline void CostsAtSide(const ColumnSums& sums, const CostRule& rule,
-  int side, int begin, int end, std::int16_t* __restrict costs)
-{
-  constexpr float unit = CostVolume::Unit;
-  for (int i = begin; i < end; ++i)
-  {
-    const auto across = [&](const auto* columns)
-    { return static_cast<float>(AcrossWindow<KnownSide>(columns + i, side)); };
-    const float n = across(sums.Count);
-    const float reference = across(sums.Reference);
-    const float other = across(sums.Other);
-    const float noise = rule.Noise * n * n;
-    const float varianceKey = n * across(sums.Reference2) - reference * reference + noise;
-    const float varianceOther = n * across(sums.Other2) - other * other + noise;
-    const float covariance = n * across(sums.Product) - reference * other;
-    const float correlation = std::max(covariance, 0.f) / std::sqrt(varianceKey * varianceOther);
-    const float difference = across(sums.Difference) / (255 * n);
-    const float cost =
-      (1 - rule.ShareOfColor) * 0.5f * (1 - correlation) + rule.ShareOfColor * difference;
-    costs[i] = static_cast<std::int16_t>(
-      static_cast<std::int32_t>(n < rule.MinCount ? unit : unit * cost + 0.5f));
-  }
-}
-NOVELVIEW_CLONES void CostsOfColumns(
-  const ColumnSums& sums, const CostRule& rule, int side, int begin, int end, std::int16_t* costs)
-{
-  if (side == 5)
-  {
-    CostsAtSide<5>(sums, rule, side, begin, end, costs);
-  }
-  else
-  {
-    CostsAtSide<0>(sums, rule, side, begin, end, costs);
-  }
-}
-}
-
-ReferenceRows::ReferenceRows(const MatchImage& reference, const Image<float>& base,
-  const Image<float>& last, const PixelBox& box, int radius)
-  : Cam(reference.Cam)
-  , Box(box)
-  , Radius(radius)
-  , Width(box.Width() + 2 * radius)
-  , Spans(box.Height() + 2 * radius)
-{
-  const std::size_t size = this->Spans.size() * this->Width;
-  this->Base.assign(size, 0.f);
-  this->Last.assign(size, 0.f);
-  for (auto* channel : { &this->Red, &this->Green, &this->Blue, &this->Luma })
-  {
-    channel->assign(size, 0);
-  }
-  for (int y = -radius; y < box.Height() + radius; ++y)
-  {
-    if (box.Y0 + y >= 0 && box.Y0 + y < base.Height)
-    {
-      this->ReadRow(reference, base, last, y);
-    }
-  }
-}
-
-void ReferenceRows::ReadRow(
-  const MatchImage& reference, const Image<float>& base, const Image<float>& last, int y)
-{
-  Span& span = this->Spans[y + this->Radius];
-  const std::size_t row = static_cast<std::size_t>(y + this->Radius) * this->Width;
-  const int frameY = this->Box.Y0 + y;
-  for (int i = 0; i < this->Width; ++i)
-  {
-    const int frameX = this->Box.X0 - this->Radius + i;
-    if (frameX < 0 || frameX >= base.Width || base(frameX, frameY) <= 0)
-    {
-      continue;
-    }
-    this->Base[row + i] = base(frameX, frameY);
-    this->Last[row + i] = last(frameX, frameY);
-    this->Red[row + i] = reference.Pixels(frameX, frameY, 0);
-    this->Green[row + i] = reference.Pixels(frameX, frameY, 1);
-    this->Blue[row + i] = reference.Pixels(frameX, frameY, 2);
-    this->Luma[row + i] = reference.Pixels(frameX, frameY, 3);
-    span = { span.Empty() ? i : span.Begin, i + 1, std::max(span.Last, last(frameX, frameY)) };
-  }
 }
 
 PlaneSweepCost::PlaneSweepCost(
@@ -343,8 +115,8 @@ void PlaneSweepCost::Enter(int y)
 
 void PlaneSweepCost::Project(int y, const ReferenceRows::Span& span)
 {
-  const int frameY = this->Rows.Box.Y0 + y;
-  const int column0 = this->Rows.Box.X0 - this->Rows.Radius;
+  const int frameY = this->Rows.Box.YBegin + y;
+  const int column0 = this->Rows.Box.XBegin - this->Rows.Radius;
   const Eigen::Vector3f start = this->H.col(0) * static_cast<float>(column0) +
     this->H.col(1) * static_cast<float>(frameY) + this->H.col(2);
   RayWay way;

@@ -2,51 +2,23 @@
 #ifndef novelview_PlaneSweepCost_h
 #define novelview_PlaneSweepCost_h
 
-#include "stereo/CostVolume.h"
+#include "stereo/MatchImage.h"
+#include "stereo/ReferenceRows.h"
+
+#include <Eigen/Core>
 
 #include <cstdint>
 #include <vector>
 
 namespace novelview
 {
-/**
- * A box of the reference photograph with a margin of the window's radius all around, channel by channel.
- * Column i, row y of it is the frame's pixel (X0 - Radius + i, Y0 + y), y from -Radius.
- */
-class ReferenceRows
+struct MatchOptions
 {
-public:
-  ReferenceRows(const MatchImage& reference, const Image<float>& base, const Image<float>& last,
-    const PixelBox& box, int radius);
-
-  /** The columns between the first and the last pixel with a base, end excluded. */
-  struct Span
-  {
-    int Begin = 0, End = 0;
-    float Last = 0; ///< largest offset that makes sense anywhere in the row
-    bool Empty() const { return this->Begin >= this->End; }
-  };
-  const Span& SpanOf(int y) const { return this->Spans[y + this->Radius]; }
-
-  /** Of column 0 of a row. */
-  template <class T>
-  const T* Row(const std::vector<T>& values, int y) const
-  {
-    return values.data() + static_cast<std::size_t>(y + this->Radius) * this->Width;
-  }
-
-  const Camera Cam;
-  const PixelBox Box;
-  const int Radius;
-  const int Width; ///< with the margins
-  std::vector<float> Base, Last;
-  std::vector<std::uint8_t> Red, Green, Blue, Luma;
-
-private:
-  void ReadRow(
-    const MatchImage& reference, const Image<float>& base, const Image<float>& last, int y);
-
-  std::vector<Span> Spans;
+  int WindowRadius = 2;        ///< 5x5
+  int BestNeighbours = 2;      ///< the cost is the mean over the best so many
+  double ColorShare = 0.5;     ///< of the truncated colour difference; the rest is correlation
+  double ColorTruncation = 40; ///< grey levels
+  double Noise = 12;           ///< variance added to the correlation's denominators
 };
 
 /**

@@ -3,8 +3,11 @@
 
 #include "core/FillHolesIteratively.h"
 #include "core/ToInt.h"
-#include "geometry/Rasteriser.h"
+#include "geometry/DepthImage.h"
 #include "geometry/ViewSelection.h"
+#include "stereo/DepthConfidence.h"
+#include "stereo/MaskedMedian.h"
+#include "stereo/NeighbourMatching.h"
 
 #include <algorithm>
 #include <cmath>
@@ -67,10 +70,10 @@ PassResult MatchPass(const MatchImage& reference, const Image<float>& base,
   {
     for (int x = 0; x < box.Width(); ++x)
     {
-      if (base(box.X0 + x, box.Y0 + y) > 0)
+      if (base(box.XBegin + x, box.YBegin + y) > 0)
       {
-        const float cost = volume.Row(y, winner(box.X0 + x, box.Y0 + y))[x];
-        result.Score(box.X0 + x, box.Y0 + y) = 1 - cost / CostVolume::Unit;
+        const float cost = volume.Row(y, winner(box.XBegin + x, box.YBegin + y))[x];
+        result.Score(box.XBegin + x, box.YBegin + y) = 1 - cost / CostVolume::Unit;
       }
     }
   }

@@ -3,32 +3,15 @@
 #define novelview_ReferenceDepth_h
 
 #include "core/Execution.h"
-#include "fusion/TsdfField.h"
+#include "core/ImageRef.h"
 #include "geometry/TriangleMesh.h"
 #include "geometry/View.h"
-#include "stereo/CostVolume.h"
+#include "stereo/ReferenceDepthOptions.h"
 
 #include <vector>
 
 namespace novelview
 {
-struct ReferenceDepthOptions
-{
-  int Neighbours = 4;          ///< photographs each is matched with, the nearest in angle
-  double MaxAngleDeg = 65;     ///< and no further than this
-  double CoarseFirstPx = -1.5; ///< first pass: offsets behind the hull's front, pixel footprints
-  double CoarseLastPx = 150;
-  double CoarseStepPx = 4;
-  int FusedViews = 16;     ///< maps fused as one photograph sees them: its own and the nearest
-  double FineRangePx = 24; ///< second pass: offsets about the fused surface, each way
-  double FineStepPx = 2;
-  double AgreementPx = 4; ///< depths of two photographs agree within this
-  int AgreementViews = 6; ///< looked at for agreement, the nearest in angle
-  MatchOptions Match;
-  SemiGlobalOptions SemiGlobal;
-  FusionOptions Fusion;
-};
-
 /** Of one photograph: depth per pixel, 0 where it shows no object, and how sure that is. */
 struct ReferenceDepth
 {
@@ -51,19 +34,6 @@ struct ReferenceDepth
 std::vector<ReferenceDepth> EstimateReferenceDepths(const std::vector<View>& views,
   const TriangleMesh& hull, const ReferenceDepthOptions& options = {},
   const Execution& execution = {});
-
-// ---- parts, for tests and reuse -------------------------------------------------------------------
-
-/** Median over the (2 radius + 1)^2 window's values above 0; 0 stays 0. */
-Image<float> MaskedMedian(const Image<float>& image, int radius);
-
-/**
- * The confidence of each depth of view `viewId` given the maps of all.
- * @param score photo score per pixel, 0 to 1.
- */
-Image<float> DepthConfidence(const std::vector<View>& views, int viewId,
-  const std::vector<Image<float>>& depths, const Image<float>& score,
-  const ReferenceDepthOptions& options, double footprint, const Execution& execution = {});
 }
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stereo/CostVolume.h"
+#include "stereo/SemiGlobal.h"
 
 #include "core/FunctionMultiversioning.h"
 
@@ -115,7 +115,8 @@ private:
   {
     for (int x = 0; x < this->Width; ++x)
     {
-      this->Mask[x] = this->Base(this->Volume.Box.X0 + x, this->Volume.Box.Y0 + y) > 0 ? -1 : 0;
+      this->Mask[x] =
+        this->Base(this->Volume.Box.XBegin + x, this->Volume.Box.YBegin + y) > 0 ? -1 : 0;
     }
   }
 
@@ -237,7 +238,7 @@ Image<float> WinnerTakesAll(
   {
     for (int x = 0; x < box.Width(); ++x)
     {
-      const float start = base(box.X0 + x, box.Y0 + y);
+      const float start = base(box.XBegin + x, box.YBegin + y);
       if (start <= 0)
       {
         continue;
@@ -259,8 +260,9 @@ Image<float> WinnerTakesAll(
         const double curvature = below - 2 * here + above;
         refined += curvature > 0 ? 0.5 * (below - above) / curvature : 0;
       }
-      winner(box.X0 + x, box.Y0 + y) = static_cast<std::uint8_t>(best);
-      depth(box.X0 + x, box.Y0 + y) = static_cast<float>(start + aggregated.Labels.Offset(refined));
+      winner(box.XBegin + x, box.YBegin + y) = static_cast<std::uint8_t>(best);
+      depth(box.XBegin + x, box.YBegin + y) =
+        static_cast<float>(start + aggregated.Labels.Offset(refined));
     }
   }
   return depth;

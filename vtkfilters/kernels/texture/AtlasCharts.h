@@ -3,8 +3,11 @@
 #ifndef novelview_AtlasCharts_h
 #define novelview_AtlasCharts_h
 
+#include "core/Execution.h"
+#include "geometry/TriangleMesh.h"
+#include "geometry/View.h"
 #include "texture/PhotoBlender.h"
-#include "texture/TextureAtlas.h"
+#include "texture/TextureAtlasOptions.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "texture/PhotoBlender.h"
 
-#include "geometry/Rasteriser.h"
+#include "geometry/DepthImage.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,9 +3,10 @@
 #define novelview_PhotoBlender_h
 
 #include "core/Execution.h"
+#include "core/ImageRef.h"
 #include "geometry/TriangleMesh.h"
 #include "geometry/View.h"
-#include "texture/TextureMapping.h"
+#include "texture/TextureOptions.h"
 
 #include <utility>
 #include <vector>

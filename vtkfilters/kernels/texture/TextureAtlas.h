@@ -6,7 +6,7 @@
 #include "core/ImageRef.h"
 #include "geometry/TriangleMesh.h"
 #include "geometry/View.h"
-#include "texture/TextureMapping.h"
+#include "texture/TextureAtlasOptions.h"
 
 #include <array>
 #include <cstdint>
@@ -14,15 +14,6 @@
 
 namespace novelview
 {
-struct TextureAtlasOptions
-{
-  int LargestSidePx = 4096; ///< of the picture; the charts are scaled down to fit. [64, 32768]
-  int PaddingPx = 4;        ///< around every chart, filled with its border's colours
-  double Loyalty = 0.15;    ///< what a neighbour in the same photograph is worth, against quality 1
-  int SmoothingRounds = 10; ///< of the choice of photographs, at most
-  TextureOptions Texture{ 3, 16, 20, 1.5, 1.5, false, true, 1 };
-};
-
 /** A mesh cut into charts with a picture for all of them. */
 struct TextureAtlas
 {

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef novelview_QuietCompressor_h
+#define novelview_QuietCompressor_h
+
+#include <vtkDataCompressor.h>
+#include <vtkSmartPointer.h>
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace novelview
+{
+/** A compressor of VTK that prints nothing: what its functions return tells whether they failed. */
+class QuietCompressor
+{
+public:
+  explicit QuietCompressor(vtkSmartPointer<vtkDataCompressor> compressor);
+
+  /** The bytes compressed; empty = failed. */
+  std::string Compress(std::string_view bytes);
+
+  /** Puts what a block holds at `to`; false when that is not `size` bytes. */
+  bool Uncompress(std::string_view block, char* to, std::size_t size);
+
+private:
+  const vtkSmartPointer<vtkDataCompressor> Compressor;
+};
+}
+
+#endif

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef novelview_ConventionCheck_h
+#define novelview_ConventionCheck_h
+
+#include "check/CheckContext.h"
+
+namespace novelview
+{
+/**
+ * Finds the convention with which the silhouettes agree, and the masks' polarity; reads the data set
+ * so, and says so when that is not how it was read.
+ */
+void CheckConvention(CheckContext& context);
+}
+
+#endif
