@@ -39,6 +39,7 @@
 #ifndef vtkViewDependentTextureMapper_h
 #define vtkViewDependentTextureMapper_h
 
+#include "texture/TextureParameters.h"
 #include "vtkNovelViewFiltersModule.h"
 #include <vtkImageAlgorithm.h>
 #include <vtkSmartPointer.h>
@@ -60,13 +61,15 @@ public:
 
   ///@{
   /** Photographs blended per pixel. Default 3, range 1 to 64. */
-  vtkSetClampMacro(References, int, 1, 64);
+  vtkSetClampMacro(References, int, novelview::TextureParameters::References.Min,
+    novelview::TextureParameters::References.Max);
   vtkGetMacro(References, int);
   ///@}
 
   ///@{
   /** The exponent m of the weights. Default 8, range 0 to 64. */
-  vtkSetClampMacro(Power, double, 0.0, 64.0);
+  vtkSetClampMacro(Power, double, novelview::TextureParameters::Power.Min,
+    novelview::TextureParameters::Power.Max);
   vtkGetMacro(Power, double);
   ///@}
 
@@ -75,16 +78,18 @@ public:
    * Width over which a photograph's weight grows from its silhouette's border inwards, pixels.
    * Default 2, range 0.01 to 100.
    */
-  vtkSetClampMacro(FeatherWidth, double, 0.01, 100.0);
+  vtkSetClampMacro(FeatherWidth, double, novelview::TextureParameters::FeatherPx.Min,
+    novelview::TextureParameters::FeatherPx.Max);
   vtkGetMacro(FeatherWidth, double);
   ///@}
 
   ///@{
   /**
    * Softness of the occlusion test in pixel footprints: a point z behind the model counts
-   * exp(-(z / softness)^2). 0, the default, tests hard at 1.5 footprints. Range 0 to 100.
+   * exp(-(z / softness)^2). 0 tests hard at 1.5 footprints. Default 0, range 0 to 100.
    */
-  vtkSetClampMacro(OcclusionSoftness, double, 0.0, 100.0);
+  vtkSetClampMacro(OcclusionSoftness, double, novelview::TextureParameters::OcclusionPx.Min,
+    novelview::TextureParameters::OcclusionPx.Max);
   vtkGetMacro(OcclusionSoftness, double);
   ///@}
 
@@ -104,10 +109,11 @@ public:
 
   ///@{
   /**
-   * Subsamples per pixel side for the coverage of rim pixels; even values are raised by one.
-   * Default 1 (no antialiasing), range 1 to 9.
+   * Subsamples per pixel side for the coverage of rim pixels; even values are raised by one, and
+   * 1 is no antialiasing. Default 1, range 1 to 9.
    */
-  vtkSetClampMacro(RimSamples, int, 1, 9);
+  vtkSetClampMacro(RimSamples, int, novelview::TextureParameters::RimSamples.Min,
+    novelview::TextureParameters::RimSamples.Max);
   vtkGetMacro(RimSamples, int);
   ///@}
 
@@ -134,14 +140,14 @@ protected:
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
   vtkSmartPointer<vtkPinholeCamera> Camera;
-  int References = 3;
-  double Power = 8.0;
-  double FeatherWidth = 2.0;
-  double OcclusionSoftness = 0.0;
-  bool UseDepthMaps = false;
-  bool UseExposureGains = false;
-  int RimSamples = 1;
-  bool SoftRim = false;
+  int References = novelview::TextureParameters::References.Default;
+  double Power = novelview::TextureParameters::Power.Default;
+  double FeatherWidth = novelview::TextureParameters::FeatherPx.Default;
+  double OcclusionSoftness = novelview::TextureParameters::OcclusionPx.Default;
+  bool UseDepthMaps = novelview::TextureParameters::UseDepthMaps;
+  bool UseExposureGains = novelview::TextureParameters::UseGains;
+  int RimSamples = novelview::TextureParameters::RimSamples.Default;
+  bool SoftRim = novelview::TextureParameters::SoftRim;
 
 private:
   vtkViewDependentTextureMapper(const vtkViewDependentTextureMapper&) = delete;

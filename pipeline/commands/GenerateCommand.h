@@ -3,6 +3,7 @@
 #define novelview_GenerateCommand_h
 
 #include "base/Console.h"
+#include "commands/MethodOptions.h"
 #include "generator/Generator.h"
 #include "options/Options.h"
 
@@ -13,8 +14,8 @@ namespace novelview
 /** A data set of virtual photographs: `novelview generate`. */
 struct GenerateOptions : GeneratorOptions
 {
-  std::filesystem::path Out; ///< gets the data set
-  int Threads = 0;           ///< 0 = one per core
+  std::filesystem::path Out;                        ///< gets the data set
+  int Threads = ProgramParameters::Threads.Default; ///< 0 = one per core
 };
 
 /** The table: what the options are called, their help, units and ranges. */

@@ -11,12 +11,19 @@
 
 namespace novelview
 {
+/** Options of the program itself. */
+struct ProgramParameters
+{
+  static constexpr Parameter<int> Threads{ 0, 0, 1024 };
+  static constexpr Parameter<int> RankTimeoutSeconds{ 300, 0, 86400, "s" };
+};
+
 /** What every command that makes novel views of a data set can be told. */
 struct MethodOptions
 {
   DatasetInput Input;
   Stage UpTo = Stage::Full;
-  int Threads = 0; ///< 0 = one per core
+  int Threads = ProgramParameters::Threads.Default; ///< 0 = one per core
   SynthesisOptions Synthesis;
 
   /** The stage options that a preset stands for; a command may have others. */

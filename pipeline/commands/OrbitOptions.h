@@ -17,7 +17,8 @@ struct OrbitOptions
 {
   std::filesystem::path Out;       ///< a video, or a folder for the frames
   std::filesystem::path FramesDir; ///< also gets the frames as pictures; empty = none
-  int RankTimeoutSeconds = 300;    ///< of several processes; 0 = never
+  /** Of several processes; 0 = never. */
+  int RankTimeoutSeconds = ProgramParameters::RankTimeoutSeconds.Default;
 
   /** A film is softer at the rim, where else the contour would jump from pixel to pixel. */
   static SynthesisOptions DefaultsOf(const std::string& preset);

@@ -23,7 +23,8 @@ struct RunOptions : MethodOptions
   bool Screenshots = true;         ///< and a picture of the scene
   bool Page = true;                ///< report.html and the picture of the rig
   std::vector<std::filesystem::path> MeshOut; ///< files of the view's mesh, see ModelFile.h
-  int TextureSizePx = 4096;                   ///< of the mesh's texture, at most
+  /** Of the mesh's texture, at most. */
+  int TextureSizePx = TextureAtlasParameters::LargestSidePx.Default;
 };
 
 /** The table: what the options are called, their help, units and ranges. */

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -71,6 +72,10 @@ public:
     if (!(value >= this->Target.Min && value <= this->Target.Max))
     {
       throw UsageError(this->Where, "is out of range", NumberText(value), RangeText(this->Target));
+    }
+    if (!std::isfinite(static_cast<double>(value)))
+    {
+      throw UsageError(this->Where, "is not finite", NumberText(value), "a finite number");
     }
     return value;
   }

@@ -46,6 +46,46 @@ struct TextGetter
     return SizeText(*target.Width, *target.Height);
   }
 };
+
+/** Checks the value that a target has. */
+class ValueChecker : public OptionSetter
+{
+public:
+  using OptionSetter::OptionSetter;
+
+  void operator()(int* target) const { this->InRange(*target); }
+  void operator()(double* target) const { this->InRange(*target); }
+  void operator()(std::string* target) const { this->OfChoices(*target); }
+  void operator()(std::optional<double>* target) const
+  {
+    if (*target)
+    {
+      this->InRange(**target);
+    }
+  }
+  void operator()(std::vector<int>* target) const { this->Each(*target); }
+  void operator()(std::vector<double>* target) const { this->Each(*target); }
+  void operator()(const SizeTarget& target) const
+  {
+    this->InRange(*target.Width);
+    this->InRange(*target.Height);
+  }
+  /** Of any other value all are good. */
+  template <class T>
+  void operator()(const T&) const
+  {
+  }
+
+private:
+  template <class T>
+  void Each(const std::vector<T>& values) const
+  {
+    for (const T value : values)
+    {
+      this->InRange(value);
+    }
+  }
+};
 }
 
 std::string FlagOf(const std::string& key)
@@ -85,6 +125,14 @@ std::string RangeText(const Option& option)
   }
   return from ? "at least " + NumberText(option.Min)
               : (to ? "at most " + NumberText(option.Max) : "");
+}
+
+void CheckValues(const OptionTable& table, const std::string& where)
+{
+  for (const Option& option : table)
+  {
+    std::visit(ValueChecker(option, where + ", " + option.Key), option.Target);
+  }
 }
 
 void AppendOptions(OptionTable& table, OptionTable more)

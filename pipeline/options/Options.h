@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * Options as tables: one line per option says its key, help, unit, range and where its value lives.
+ * Unit and range of a method's option come from the kernels (Parameter.h), as its default does.
  * Reading and writing JSON, command-line options and --help all come from the same table.
  */
 #ifndef novelview_Options_h
 #define novelview_Options_h
 
 #include "base/UsageError.h"
+#include "core/Parameter.h"
 
 #include <nlohmann/json.hpp>
 
@@ -66,6 +68,15 @@ struct Option
 };
 using OptionTable = std::vector<Option>;
 
+/** An option with the unit and the range of a parameter. */
+template <class T>
+Option ParameterOption(const std::string& key, const std::string& help, const std::string& group,
+  T* target, const Parameter<T>& parameter)
+{
+  return { key, help, parameter.Unit, group, target, static_cast<double>(parameter.Min),
+    static_cast<double>(parameter.Max) };
+}
+
 /** Words of a command line by the key of their option, in the order given. */
 using ParsedArguments = std::vector<std::pair<std::string, std::vector<std::string>>>;
 
@@ -82,6 +93,12 @@ std::string ValueText(const Option& option);
 
 /** The range as text, "1 to 10", "at least 0", "hull, outline, full"; empty when there is none. */
 std::string RangeText(const Option& option);
+
+/**
+ * Throws UsageError, naming `where` and the key, when a value is out of the range or none of the
+ * choices of its option: for options that were set by a program.
+ */
+void CheckValues(const OptionTable& table, const std::string& where);
 
 /**
  * Sets an option from words of a command line; a list takes all of them. Throws UsageError, naming

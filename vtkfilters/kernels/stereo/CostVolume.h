@@ -6,6 +6,7 @@
 #include "core/ImageRef.h"
 #include "geometry/Camera.h"
 #include "geometry/View.h"
+#include "stereo/ReferenceDepthParameters.h"
 
 #include <cstdint>
 #include <vector>
@@ -45,9 +46,10 @@ struct DepthHypotheses
 
 struct MatchOptions
 {
-  int WindowRadius = 2;        ///< 5x5
-  int BestNeighbours = 2;      ///< the cost is the mean over the best so many
-  double ColorShare = 0.5;     ///< of the truncated colour difference; the rest is correlation
+  int WindowRadius = ReferenceDepthParameters::WindowRadius.Default;
+  int BestNeighbours = 2; ///< the cost is the mean over the best so many
+  /** Of the truncated colour difference; the rest is correlation. */
+  double ColorShare = ReferenceDepthParameters::ColorShare.Default;
   double ColorTruncation = 40; ///< grey levels
   double Noise = 12;           ///< variance added to the correlation's denominators
 };

@@ -7,6 +7,7 @@
 #include "geometry/TriangleMesh.h"
 #include "geometry/View.h"
 #include "texture/TextureMapping.h"
+#include "texture/TextureParameters.h"
 
 #include <array>
 #include <cstdint>
@@ -16,11 +17,16 @@ namespace novelview
 {
 struct TextureAtlasOptions
 {
-  int LargestSidePx = 4096; ///< of the picture; the charts are scaled down to fit. [64, 32768]
+  /** Of the picture, at most; the charts are scaled down to fit. */
+  int LargestSidePx = TextureAtlasParameters::LargestSidePx.Default;
   int PaddingPx = 4;        ///< around every chart, filled with its border's colours
   double Loyalty = 0.15;    ///< what a neighbour in the same photograph is worth, against quality 1
   int SmoothingRounds = 10; ///< of the choice of photographs, at most
-  TextureOptions Texture{ 3, 16, 20, 1.5, 1.5, false, true, 1 };
+  TextureOptions Texture{ .References = TextureAtlasParameters::References.Default,
+    .Power = TextureAtlasParameters::Power.Default,
+    .FeatherPx = TextureAtlasParameters::FeatherPx.Default,
+    .OcclusionPx = TextureAtlasParameters::OcclusionPx.Default,
+    .UseGains = TextureAtlasParameters::UseGains };
 };
 
 /** A mesh cut into charts with a picture for all of them. */
