@@ -19,7 +19,7 @@
  *  - in 2 (optional): vtkPolyData, triangles that also stand between photographs and mesh, such as
  *    those a vtkVisibilityCuller removed.
  *  - out 0: vtkImageData of the camera's size (bottom-up rows) with point arrays
- *      `Color` (uint8 x 3), black outside the mask (but see SoftRim);
+ *      `Color` (uint8 x 3), black outside the mask (but see SoftBoundary);
  *      `Mask` (uint8, 255 = object);
  *      `Depth` (float, world units, 0 outside);
  *      `CellId` (int, triangle of the mesh, -1 outside);
@@ -27,8 +27,8 @@
  *      the surroundings).
  *
  * Differs from the paper: photographs that do not see V are left out; the weight falls towards the
- * silhouette's border (FeatherWidth); rim pixels are antialiased against black (RimSamples; 1 is
- * the paper's, as is SoftRim off); occlusion may be soft and tested against the views' own depth maps
+ * silhouette's border (FeatherWidth); boundary pixels are antialiased against black (BoundarySamples; 1 is
+ * the paper's, as is SoftBoundary off); occlusion may be soft and tested against the views' own depth maps
  * (OcclusionSoftness, UseDepthMaps; off is the paper's); photographs of different exposure are
  * brought to their mean (UseExposureGains; off is the paper's).
  *
@@ -109,23 +109,23 @@ public:
 
   ///@{
   /**
-   * Subsamples per pixel side for the coverage of rim pixels; even values are raised by one, and
+   * Subsamples per pixel side for the coverage of boundary pixels; even values are raised by one, and
    * 1 is no antialiasing. Default 1, range 1 to 9.
    */
-  vtkSetClampMacro(RimSamples, int, novelview::TextureParameters::RimSamples.Min,
-    novelview::TextureParameters::RimSamples.Max);
-  vtkGetMacro(RimSamples, int);
+  vtkSetClampMacro(BoundarySamples, int, novelview::TextureParameters::BoundarySamples.Min,
+    novelview::TextureParameters::BoundarySamples.Max);
+  vtkGetMacro(BoundarySamples, int);
   ///@}
 
   ///@{
   /**
    * Give pixels of which less than half is covered their share of colour, although they are not of
-   * the `Mask`: in a film the contour then moves instead of jumping. Needs RimSamples above 1.
+   * the `Mask`: in a film the contour then moves instead of jumping. Needs BoundarySamples above 1.
    * Default off.
    */
-  vtkSetMacro(SoftRim, bool);
-  vtkGetMacro(SoftRim, bool);
-  vtkBooleanMacro(SoftRim, bool);
+  vtkSetMacro(SoftBoundary, bool);
+  vtkGetMacro(SoftBoundary, bool);
+  vtkBooleanMacro(SoftBoundary, bool);
   ///@}
 
   vtkMTimeType GetMTime() override;
@@ -146,8 +146,8 @@ protected:
   double OcclusionSoftness = novelview::TextureParameters::OcclusionPx.Default;
   bool UseDepthMaps = novelview::TextureParameters::UseDepthMaps;
   bool UseExposureGains = novelview::TextureParameters::UseGains;
-  int RimSamples = novelview::TextureParameters::RimSamples.Default;
-  bool SoftRim = novelview::TextureParameters::SoftRim;
+  int BoundarySamples = novelview::TextureParameters::BoundarySamples.Default;
+  bool SoftBoundary = novelview::TextureParameters::SoftBoundary;
 
 private:
   vtkViewDependentTextureMapper(const vtkViewDependentTextureMapper&) = delete;

@@ -22,7 +22,8 @@ struct CheckOptions
 OptionTable OptionsOf(CheckOptions& options);
 
 /** The options of a check; they come from the command line alone. Throws UsageError. */
-CheckOptions MakeCheckOptions(const std::filesystem::path& dataset, const ParsedArguments& given);
+CheckOptions MakeCheckOptions(const std::filesystem::path& dataset, const ParsedArguments& given,
+  const OptionWarning& warn = {});
 }
 
 #endif

@@ -28,8 +28,8 @@ struct ConvertOptions
 OptionTable OptionsOf(ConvertOptions& options);
 
 /** The options of a conversion; they come from the command line alone. Throws UsageError. */
-ConvertOptions MakeConvertOptions(
-  const std::filesystem::path& dataset, const ParsedArguments& given);
+ConvertOptions MakeConvertOptions(const std::filesystem::path& dataset,
+  const ParsedArguments& given, const OptionWarning& warn = {});
 }
 
 #endif

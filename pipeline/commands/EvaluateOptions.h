@@ -25,8 +25,8 @@ struct EvaluateOptions
 OptionTable OptionsOf(EvaluateOptions& options);
 
 /** See MergeOptions(). Throws UsageError. */
-EvaluateOptions MakeEvaluateOptions(
-  const std::filesystem::path& dataset, const ParsedArguments& given);
+EvaluateOptions MakeEvaluateOptions(const std::filesystem::path& dataset,
+  const ParsedArguments& given, const OptionWarning& warn = {});
 }
 
 #endif

@@ -22,8 +22,8 @@ struct GenerateOptions : GeneratorOptions
 OptionTable OptionsOf(GenerateOptions& options);
 
 /** The options; they come from the command line alone, and there is no data set. Throws UsageError. */
-GenerateOptions MakeGenerateOptions(
-  const std::filesystem::path& dataset, const ParsedArguments& given);
+GenerateOptions MakeGenerateOptions(const std::filesystem::path& dataset,
+  const ParsedArguments& given, const OptionWarning& warn = {});
 
 /** Writes the data set. Throws Error, and Interrupted when the console asks for a stop. */
 void Generate(const GenerateOptions& options, Console& console);

@@ -38,7 +38,8 @@ OptionTable OptionsOf(MaskOptions& options);
  * The options; they come from the command line alone. Throws UsageError, also when options contradict
  * each other.
  */
-MaskOptions MakeMaskOptions(const std::filesystem::path& dataset, const ParsedArguments& given);
+MaskOptions MakeMaskOptions(const std::filesystem::path& dataset, const ParsedArguments& given,
+  const OptionWarning& warn = {});
 }
 
 #endif

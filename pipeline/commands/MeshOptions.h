@@ -21,7 +21,8 @@ struct MeshOptions : MethodOptions
 OptionTable OptionsOf(MeshOptions& options);
 
 /** See MergeOptions(). Throws UsageError. */
-MeshOptions MakeMeshOptions(const std::filesystem::path& dataset, const ParsedArguments& given);
+MeshOptions MakeMeshOptions(const std::filesystem::path& dataset, const ParsedArguments& given,
+  const OptionWarning& warn = {});
 }
 
 #endif

@@ -41,7 +41,8 @@ OptionTable WithMethod(OptionTable table, MethodOptions& options)
 }
 
 void MergeOptions(const fs::path& dataset, const ParsedArguments& given, const OptionTable& table,
-  SynthesisOptions (*defaultsOf)(const std::string&), MethodOptions& options)
+  SynthesisOptions (*defaultsOf)(const std::string&), const OptionWarning& warn,
+  MethodOptions& options)
 {
   const auto applyPreset = [&](const std::string& preset)
   {
@@ -59,7 +60,7 @@ void MergeOptions(const fs::path& dataset, const ParsedArguments& given, const O
       SetFromJson(preset, { { "preset", object["preset"] } }, {}, dataset.string());
       applyPreset(std::string(options.Synthesis.Preset));
     }
-    SetFromJson(table, object, fs::absolute(dataset).parent_path(), dataset.string());
+    SetFromJson(table, object, fs::absolute(dataset).parent_path(), dataset.string(), warn);
   }
   else
   {
@@ -72,7 +73,7 @@ void MergeOptions(const fs::path& dataset, const ParsedArguments& given, const O
       applyPreset(words.front());
     }
   }
-  SetFromArguments(table, given);
+  SetFromArguments(table, given, warn);
   if (options.Input.Dataset.empty())
   {
     throw UsageError(dataset.empty() ? "data set" : dataset.string(), "no data set given");

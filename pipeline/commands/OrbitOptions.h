@@ -28,7 +28,8 @@ struct OrbitOptions
 OptionTable OptionsOf(OrbitOptions& options);
 
 /** See MergeOptions(). Throws UsageError. */
-OrbitOptions MakeOrbitOptions(const std::filesystem::path& dataset, const ParsedArguments& given);
+OrbitOptions MakeOrbitOptions(const std::filesystem::path& dataset, const ParsedArguments& given,
+  const OptionWarning& warn = {});
 }
 
 #endif

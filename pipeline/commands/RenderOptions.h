@@ -21,7 +21,8 @@ struct RenderOptions : MethodOptions
 OptionTable OptionsOf(RenderOptions& options);
 
 /** See MergeOptions(). Throws UsageError. */
-RenderOptions MakeRenderOptions(const std::filesystem::path& dataset, const ParsedArguments& given);
+RenderOptions MakeRenderOptions(const std::filesystem::path& dataset, const ParsedArguments& given,
+  const OptionWarning& warn = {});
 }
 
 #endif

@@ -34,7 +34,8 @@ OptionTable OptionsOf(RunOptions& options);
  * See MergeOptions(). Throws UsageError, also when there is no view or options contradict each other, and
  * Error when the job.json of the results could not hold a name, which must be UTF-8.
  */
-RunOptions MakeRunOptions(const std::filesystem::path& dataset, const ParsedArguments& given);
+RunOptions MakeRunOptions(const std::filesystem::path& dataset, const ParsedArguments& given,
+  const OptionWarning& warn = {});
 
 /**
  * A job file in the out folder: every option that can change the result, so that running the file does

@@ -26,6 +26,13 @@ std::string NumbersText(const T& values)
   return Joined(words, ",");
 }
 
+/** Whether an option goes, or went, by a key. */
+inline bool HasKey(const Option& option, const std::string& key)
+{
+  const std::vector<std::string>& former = option.FormerKeys;
+  return option.Key == key || std::find(former.begin(), former.end(), key) != former.end();
+}
+
 /** x0 y0 z0 x1 y1 z1: every second value must be above the first. */
 inline void CheckBox(const std::vector<double>& values, const std::string& where)
 {

@@ -144,7 +144,7 @@ void AppendOptions(OptionTable& table, OptionTable more)
 const Option& FindOption(const OptionTable& table, const std::string& key)
 {
   const auto found = std::find_if(
-    table.begin(), table.end(), [&key](const Option& option) { return option.Key == key; });
+    table.begin(), table.end(), [&key](const Option& option) { return HasKey(option, key); });
   if (found == table.end())
   {
     throw UsageError(FlagOf(key), "is no option of this command");

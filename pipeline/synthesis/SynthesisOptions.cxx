@@ -58,7 +58,7 @@ SynthesisOptions PresetOptions(const std::string& preset)
     options.FeatherPx = 20;
     options.OcclusionSoftness = 1.5;
     options.ExposureGains = true;
-    options.RimSamples = 3;
+    options.BoundarySamples = 3;
     return options;
   }
   throw Error("preset", "unknown", preset, "best or paper");
@@ -66,6 +66,13 @@ SynthesisOptions PresetOptions(const std::string& preset)
 
 namespace
 {
+/** An option that went by another key in earlier versions. */
+Option Formerly(const std::string& key, Option option)
+{
+  option.FormerKeys.push_back(key);
+  return option;
+}
+
 /** An option that matters only once there is a novel camera. */
 Option OfView(Option option)
 {
@@ -133,11 +140,14 @@ OptionTable OptionsOf(SynthesisOptions& options)
       &options.OcclusionSoftness, TextureParameters::OcclusionPx)),
     OfView({ "exposureGains", "bring the photographs to one exposure; needs the depth maps", "",
       texture, &options.ExposureGains }),
-    OfView(ParameterOption("rimSamples",
-      "subsamples per pixel side at the rim; even numbers are raised by one; 1 = no antialiasing",
-      texture, &options.RimSamples, TextureParameters::RimSamples)),
-    OfView({ "softRim", "draw also pixels of which less than half is covered; for films", "",
-      texture, &options.SoftRim }),
+    Formerly("rimSamples",
+      OfView(ParameterOption("boundarySamples",
+        "subsamples per pixel side at the silhouette boundary; even numbers are raised by one; 1 = "
+        "no antialiasing",
+        texture, &options.BoundarySamples, TextureParameters::BoundarySamples))),
+    Formerly("softRim",
+      OfView({ "softBoundary", "draw also pixels of which less than half is covered; for films", "",
+        texture, &options.SoftBoundary })),
   };
 }
 }

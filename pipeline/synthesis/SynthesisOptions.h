@@ -88,10 +88,10 @@ struct SynthesisOptions
   double OcclusionSoftness = TextureParameters::OcclusionPx.Default;
   /** Bring the photographs to one exposure; needs depth maps. */
   bool ExposureGains = TextureParameters::UseGains;
-  /** Subsamples per pixel side at the rim; 1 = no antialiasing. */
-  int RimSamples = TextureParameters::RimSamples.Default;
+  /** Subsamples per pixel side at the silhouette boundary; 1 = no antialiasing. */
+  int BoundarySamples = TextureParameters::BoundarySamples.Default;
   /** Also draw pixels of which less than half is covered; for films. */
-  bool SoftRim = TextureParameters::SoftRim;
+  bool SoftBoundary = TextureParameters::SoftBoundary;
 };
 
 /** The defaults of a preset; throws Error on an unknown name. */

@@ -211,6 +211,11 @@ class Errors(unittest.TestCase):
         with self.assertRaisesRegex(novelview.Error, "stage: unknown"):
             novelview.synthesise(disc_views(), camera, stage="crust")
 
+    def test_a_former_name_of_an_option_works_with_a_warning(self):
+        with self.assertWarnsRegex(UserWarning, '"rimSamples" is now "boundarySamples"'):
+            chain = novelview.Synthesiser(disc_views(), rim_samples=5)
+        self.assertIn('"boundarySamples":5', chain.filter.GetOptions().replace(" ", ""))
+
     def test_what_a_user_should_know_of_a_silhouette_is_a_warning(self):
         items = disc_views()
         items[0]["mask"][0, :] = 255

@@ -60,6 +60,10 @@ TEST(Options, KeysAndFlagsAreUniqueAndExplained)
     for (const Option& option : table)
     {
       EXPECT_TRUE(flags.insert(FlagOf(option.Key)).second) << option.Key;
+      for (const std::string& former : option.FormerKeys)
+      {
+        EXPECT_TRUE(flags.insert(FlagOf(former)).second) << former;
+      }
       EXPECT_FALSE(option.Help.empty()) << option.Key;
       EXPECT_FALSE(option.Group.empty()) << option.Key;
       EXPECT_LE(option.Min, option.Max) << option.Key;

@@ -38,24 +38,25 @@ struct TextureOptions
   bool UseDepthMaps = TextureParameters::UseDepthMaps;
   /** Divide colours by the views' Gain. */
   bool UseGains = TextureParameters::UseGains;
-  /** Subsamples per pixel side that decide a rim pixel's coverage, odd; 1 = no antialiasing. */
-  int RimSamples = TextureParameters::RimSamples.Default;
+  /** Subsamples per pixel side that decide a boundary pixel's coverage, odd; 1 = no antialiasing. */
+  int BoundarySamples = TextureParameters::BoundarySamples.Default;
   /**
    * Draw also the pixels of which less than half is covered, so that a contour that moves by less
    * than a pixel changes the picture by little; Mask, Depth, CellId and Seen remain without them.
    */
-  bool SoftRim = TextureParameters::SoftRim;
+  bool SoftBoundary = TextureParameters::SoftBoundary;
 };
 
 /** The novel picture and what is known about each of its pixels; rows from the top. */
 struct TexturedView
 {
-  Image<std::uint8_t> Color; ///< RGB, black where Mask is 0 (but see SoftRim); multiplied by the
-                             ///< coverage at the rim
-  Image<std::uint8_t> Mask;  ///< 255 = object
-  Image<float> Depth;        ///< z of the surface point, 0 where Mask is 0
-  Image<int> CellId;         ///< triangle of the mesh, -1 where Mask is 0
-  Image<std::uint8_t> Seen;  ///< 1 = a reference sees the point, 0 = filled from the surroundings
+  Image<std::uint8_t>
+    Color; ///< RGB, black where Mask is 0 (but see SoftBoundary); multiplied by the
+           ///< coverage at the boundary
+  Image<std::uint8_t> Mask; ///< 255 = object
+  Image<float> Depth;       ///< z of the surface point, 0 where Mask is 0
+  Image<int> CellId;        ///< triangle of the mesh, -1 where Mask is 0
+  Image<std::uint8_t> Seen; ///< 1 = a reference sees the point, 0 = filled from the surroundings
 };
 
 /** Whether the model decides what a photograph sees, of some photograph at least. */

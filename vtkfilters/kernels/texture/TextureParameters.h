@@ -16,8 +16,8 @@ struct TextureParameters
   static constexpr Parameter<double> OcclusionPx{ 0, 0, 100, "pixel footprints" };
   static constexpr bool UseDepthMaps = false;
   static constexpr bool UseGains = false;
-  static constexpr Parameter<int> RimSamples{ 1, 1, 9 };
-  static constexpr bool SoftRim = false;
+  static constexpr Parameter<int> BoundarySamples{ 1, 1, 9 };
+  static constexpr bool SoftBoundary = false;
 };
 
 /** Of TextureAtlasOptions, which is for no novel camera: softer, and balanced, by default. */
