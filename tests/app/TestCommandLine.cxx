@@ -203,8 +203,8 @@ TEST(CommandLine, FormerNamesOfOptionsWorkWithAWarningEach)
   EXPECT_THAT(outcome.Err, HasSubstr("warning: --rim-samples is now --boundary-samples\n"));
   EXPECT_THAT(outcome.Err, HasSubstr("warning: --soft-rim is now --soft-boundary\n"));
   EXPECT_EQ(std::count(outcome.Err.begin(), outcome.Err.end(), '\n'), 2) << outcome.Err;
-  EXPECT_THAT(Parse({ "orbit", "--help" }).Out, testing::Not(HasSubstr("rim")))
-    << "the help has the present names only";
+  EXPECT_THAT(Parse({ "orbit", "--help" }).Out,
+    testing::Not(testing::AnyOf(HasSubstr("--rim-samples"), HasSubstr("--soft-rim"))));
   ExpectUsageError({ "orbit", "d", "--out", "o", "--rim-samples", "3", "--boundary-samples", "5" },
     "--rim-samples: is now --boundary-samples, which is given, too");
   ExpectUsageError({ "orbit", "d", "--out", "o", "--rim-samples", "x" },

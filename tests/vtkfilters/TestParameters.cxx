@@ -5,6 +5,7 @@
 #include "vtkPowerCrustMesher.h"
 #include "vtkReferenceDepthEstimator.h"
 #include "vtkSilhouetteReconciler.h"
+#include "vtkTextureAtlasGenerator.h"
 #include "vtkTsdfOutlineDeformer.h"
 #include "vtkViewDependentTextureMapper.h"
 #include "vtkVisibilityCuller.h"
@@ -75,6 +76,12 @@ Setters Compiled()
     RANGE(vtkReferenceDepthEstimator, WindowRadius),
     RANGE(vtkSilhouetteReconciler, MinOffset),
     RANGE(vtkSilhouetteReconciler, MinShare),
+    RANGE(vtkTextureAtlasGenerator, FeatherWidth),
+    RANGE(vtkTextureAtlasGenerator, OcclusionSoftness),
+    RANGE(vtkTextureAtlasGenerator, Power),
+    RANGE(vtkTextureAtlasGenerator, References),
+    RANGE(vtkTextureAtlasGenerator, TextureSize),
+    SWITCH(vtkTextureAtlasGenerator, UseExposureGains),
     RANGE_OF(vtkTsdfDeformer, vtkTsdfOutlineDeformer, DepthNoise),
     RANGE(vtkTsdfOutlineDeformer, SilhouettePrior),
     SWITCH(vtkTsdfOutlineDeformer, UseContourPrediction),
