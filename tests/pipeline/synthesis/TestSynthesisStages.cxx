@@ -27,7 +27,10 @@ std::string StateOf(vtkAlgorithm* filter)
   std::string state;
   for (std::string line; std::getline(lines, line);)
   {
-    if (line.find("0x") == std::string::npos && line.find("Modified Time") == std::string::npos)
+    const bool isOwn = line.find("0x") == std::string::npos &&
+      line.find("Modified Time") == std::string::npos &&
+      line.find("Reference Count") == std::string::npos;
+    if (isOwn)
     {
       state += line + "\n";
     }
