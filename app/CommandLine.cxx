@@ -121,7 +121,10 @@ std::string Explanation(
     std::vector<std::string> names;
     for (const CLI::Option* option : app.get_subcommands().front()->get_options())
     {
-      names.push_back(option->get_name());
+      if (!option->get_group().empty()) // which former names have
+      {
+        names.push_back(option->get_name());
+      }
     }
     return "unknown option " + word + Suggestion(word, names);
   }

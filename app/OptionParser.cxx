@@ -62,28 +62,7 @@ void OptionParser::AddTo(CLI::App& command, const OptionTable& table)
 {
   for (const Option& option : table)
   {
-    this->Entries.push_back(std::make_unique<Entry>());
-    Entry& entry = *this->Entries.back();
-    entry.Key = option.Key;
-    const std::string flag = option.Positional ? option.Key : FlagOf(option.Key);
-    const Shape shape = std::visit(ShapeOf(), option.Target);
-    CLI::Option* added = nullptr;
-    if (shape.MaxWords == 0)
-    {
-      const std::string off = "--no-" + flag.substr(2);
-      added = command.add_flag(flag + ",!" + off, entry.Words, HelpText(option));
-      added->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-    }
-    else
-    {
-      added = command.add_option(flag, entry.Words, HelpText(option));
-      added->type_name(shape.TypeName)->delimiter(',')->expected(shape.MinWords, shape.MaxWords);
-      if (shape.MaxWords == 1)
-      {
-        // A view has commas of its own.
-        added->delimiter('\0')->multi_option_policy(CLI::MultiOptionPolicy::Throw);
-      }
-    }
+    CLI::Option* added = this->Add(command, option, option.Key);
     if (option.Positional)
     {
       added->required();
@@ -92,8 +71,39 @@ void OptionParser::AddTo(CLI::App& command, const OptionTable& table)
     {
       added->group(option.Group);
     }
-    entry.Parsed = added;
+    for (const std::string& former : option.FormerKeys)
+    {
+      this->Add(command, option, former)->group(""); // not in the help
+    }
   }
+}
+
+CLI::Option* OptionParser::Add(CLI::App& command, const Option& option, const std::string& key)
+{
+  this->Entries.push_back(std::make_unique<Entry>());
+  Entry& entry = *this->Entries.back();
+  entry.Key = key;
+  const std::string flag = option.Positional ? key : FlagOf(key);
+  const Shape shape = std::visit(ShapeOf(), option.Target);
+  CLI::Option* added = nullptr;
+  if (shape.MaxWords == 0)
+  {
+    const std::string off = "--no-" + flag.substr(2);
+    added = command.add_flag(flag + ",!" + off, entry.Words, HelpText(option));
+    added->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+  }
+  else
+  {
+    added = command.add_option(flag, entry.Words, HelpText(option));
+    added->type_name(shape.TypeName)->delimiter(',')->expected(shape.MinWords, shape.MaxWords);
+    if (shape.MaxWords == 1)
+    {
+      // A view has commas of its own.
+      added->delimiter('\0')->multi_option_policy(CLI::MultiOptionPolicy::Throw);
+    }
+  }
+  entry.Parsed = added;
+  return added;
 }
 
 ParsedArguments OptionParser::Given() const

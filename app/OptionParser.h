@@ -19,7 +19,7 @@ public:
   /** Adds every option with its unit, default and range. Nothing points into the table later. */
   void AddTo(CLI::App& command, const OptionTable& table);
 
-  /** The options that were given, after the command line has been parsed. */
+  /** The options that were given, by the keys used, after the command line has been parsed. */
   ParsedArguments Given() const;
 
 private:
@@ -29,6 +29,9 @@ private:
     std::vector<std::string> Words;
     const CLI::Option* Parsed = nullptr;
   };
+
+  /** Adds an option by its key or a former one. */
+  CLI::Option* Add(CLI::App& command, const Option& option, const std::string& key);
 
   // CLI11 writes into the words, so the entries must not move.
   std::vector<std::unique_ptr<Entry>> Entries;

@@ -3,25 +3,16 @@
 # ---- Manual pages: the program's own help, novelview(1) and novelview-COMMAND(1) -----------------
 find_program(HELP2MAN help2man)
 if(HELP2MAN)
-  set(commands generate run render orbit evaluate mesh convert check mask)
-  set(pages)
-  foreach(command "" ${commands})
-    string(JOIN "-" page novelview ${command})
-    set(file "${CMAKE_BINARY_DIR}/man/${page}.1")
-    string(TOUPPER "${page}" title)
-    # help2man takes "novelview run" for novelview with a word.
-    add_custom_command(OUTPUT "${file}" DEPENDS novelview
-      COMMAND "${CMAKE_COMMAND}" -E make_directory "${CMAKE_BINARY_DIR}/man"
-      COMMAND "${HELP2MAN}" --no-info --section=1 "--version-string=novelview ${PROJECT_VERSION}"
-        "--name=novel views of an object from calibrated photographs" "--output=${file}"
-        "$<TARGET_FILE:novelview> ${command}"
-      COMMAND sed -i -e "s/^\\.TH NOVELVIEW /.TH ${title} /" -e "s/^novelview .- /${page} \\\\- /"
-        "${file}"
-      VERBATIM)
-    list(APPEND pages "${file}")
-  endforeach()
-  add_custom_target(novelview_man ALL DEPENDS ${pages})
-  install(FILES ${pages} DESTINATION "${CMAKE_INSTALL_MANDIR}/man1")
+  # Which pages there are is known once the program is built: its help names its commands.
+  set(manual "${CMAKE_BINARY_DIR}/man")
+  add_custom_command(OUTPUT "${manual}/novelview.1"
+    DEPENDS novelview "${CMAKE_CURRENT_LIST_DIR}/manual-pages.cmake"
+    COMMAND "${CMAKE_COMMAND}" "-DPROGRAM=$<TARGET_FILE:novelview>" "-DHELP2MAN=${HELP2MAN}"
+      "-DVERSION=${PROJECT_VERSION}" "-DFOLDER=${manual}"
+      -P "${CMAKE_CURRENT_LIST_DIR}/manual-pages.cmake"
+    VERBATIM)
+  add_custom_target(novelview_man ALL DEPENDS "${manual}/novelview.1")
+  install(DIRECTORY "${manual}/" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1" FILES_MATCHING PATTERN "*.1")
 endif()
 
 install(FILES "${CMAKE_CURRENT_LIST_DIR}/novelview.bash"

@@ -23,6 +23,7 @@ inline constexpr const char* DepthNoise = "DepthNoise";
 inline constexpr const char* SilhouettePrior = "SilhouettePrior";
 // ---- of meshes
 inline constexpr const char* Normals = "Normals";
+inline constexpr const char* TCoords = "TCoords";
 inline constexpr const char* Radius = "Radius";
 inline constexpr const char* SampleIds = "SampleIds";
 inline constexpr const char* OriginalPointIds = "OriginalPointIds";

@@ -32,6 +32,7 @@
 #ifndef vtkNonOutlineDeformer_h
 #define vtkNonOutlineDeformer_h
 
+#include "deformation/DeformationParameters.h"
 #include "vtkViewDeformer.h"
 
 class VTKNOVELVIEWFILTERS_EXPORT vtkNonOutlineDeformer : public vtkViewDeformer
@@ -43,25 +44,29 @@ public:
 
   ///@{
   /** alpha of [6], weight of the smoothness energy. Default 0.3, range 0 to 100. */
-  vtkSetClampMacro(SmoothWeight, double, 0.0, 100.0);
+  vtkSetClampMacro(SmoothWeight, double, novelview::NonOutlineParameters::Alpha.Min,
+    novelview::NonOutlineParameters::Alpha.Max);
   vtkGetMacro(SmoothWeight, double);
   ///@}
 
   ///@{
   /** How far a point may move in one iteration, pixel footprints. Default 4, range 0.25 to 100. */
-  vtkSetClampMacro(SearchRange, double, 0.25, 100.0);
+  vtkSetClampMacro(SearchRange, double, novelview::NonOutlineParameters::SearchPx.Min,
+    novelview::NonOutlineParameters::SearchPx.Max);
   vtkGetMacro(SearchRange, double);
   ///@}
 
   ///@{
   /** Radius of the matching windows, input pixels. Default 3 (7x7), range 1 to 7. */
-  vtkSetClampMacro(WindowRadius, int, 1, 7);
+  vtkSetClampMacro(WindowRadius, int, novelview::NonOutlineParameters::WindowRadius.Min,
+    novelview::NonOutlineParameters::WindowRadius.Max);
   vtkGetMacro(WindowRadius, int);
   ///@}
 
   ///@{
   /** Search range along the epipolar line, each way, input pixels. Default 6, range 0 to 64. */
-  vtkSetClampMacro(MatchRange, int, 0, 64);
+  vtkSetClampMacro(MatchRange, int, novelview::NonOutlineParameters::MatchRangePx.Min,
+    novelview::NonOutlineParameters::MatchRangePx.Max);
   vtkGetMacro(MatchRange, int);
   ///@}
 
@@ -72,10 +77,10 @@ protected:
   const char* ContourArrayName() const override { return novelview::arrays::EnergyHull; }
   bool MovesOutline() const override { return false; }
 
-  double SmoothWeight = 0.3;
-  double SearchRange = 4.0;
-  int WindowRadius = 3;
-  int MatchRange = 6;
+  double SmoothWeight = novelview::NonOutlineParameters::Alpha.Default;
+  double SearchRange = novelview::NonOutlineParameters::SearchPx.Default;
+  int WindowRadius = novelview::NonOutlineParameters::WindowRadius.Default;
+  int MatchRange = novelview::NonOutlineParameters::MatchRangePx.Default;
 
 private:
   vtkNonOutlineDeformer(const vtkNonOutlineDeformer&) = delete;

@@ -28,6 +28,7 @@
 #ifndef vtkOutlineDeformer_h
 #define vtkOutlineDeformer_h
 
+#include "deformation/DeformationParameters.h"
 #include "vtkViewDeformer.h"
 
 class VTKNOVELVIEWFILTERS_EXPORT vtkOutlineDeformer : public vtkViewDeformer
@@ -39,31 +40,36 @@ public:
 
   ///@{
   /** alpha of [1], weight of the contour energy. Default 0.3, range 0 to 100. */
-  vtkSetClampMacro(ContourWeight, double, 0.0, 100.0);
+  vtkSetClampMacro(ContourWeight, double, novelview::OutlineParameters::Alpha.Min,
+    novelview::OutlineParameters::Alpha.Max);
   vtkGetMacro(ContourWeight, double);
   ///@}
 
   ///@{
   /** beta of [1], weight of the smoothness energy. Default 0.3, range 0 to 100. */
-  vtkSetClampMacro(SmoothWeight, double, 0.0, 100.0);
+  vtkSetClampMacro(SmoothWeight, double, novelview::OutlineParameters::Beta.Min,
+    novelview::OutlineParameters::Beta.Max);
   vtkGetMacro(SmoothWeight, double);
   ///@}
 
   ///@{
-  /** How far a point may move in one iteration, novel pixels. Default 2, range 0.25 to 50. */
-  vtkSetClampMacro(SearchRange, double, 0.25, 50.0);
+  /** How far a point may move in one iteration, novel pixels. Default 4, range 0.25 to 50. */
+  vtkSetClampMacro(SearchRange, double, novelview::OutlineParameters::SearchPx.Min,
+    novelview::OutlineParameters::SearchPx.Max);
   vtkGetMacro(SearchRange, double);
   ///@}
 
   ///@{
   /** Radius of the photo-consistency windows, input pixels. Default 3 (7x7), range 1 to 7. */
-  vtkSetClampMacro(WindowRadius, int, 1, 7);
+  vtkSetClampMacro(WindowRadius, int, novelview::OutlineParameters::WindowRadius.Min,
+    novelview::OutlineParameters::WindowRadius.Max);
   vtkGetMacro(WindowRadius, int);
   ///@}
 
   ///@{
   /** sigma of the contour energy, input pixels. Default 8, range 0.5 to 100. */
-  vtkSetClampMacro(ContourSigma, double, 0.5, 100.0);
+  vtkSetClampMacro(ContourSigma, double, novelview::OutlineParameters::SigmaPx.Min,
+    novelview::OutlineParameters::SigmaPx.Max);
   vtkGetMacro(ContourSigma, double);
   ///@}
 
@@ -74,11 +80,11 @@ protected:
   const char* ContourArrayName() const override { return novelview::arrays::EnergyContour; }
   bool MovesOutline() const override { return true; }
 
-  double ContourWeight = 0.3;
-  double SmoothWeight = 0.3;
-  double SearchRange = 2.0;
-  int WindowRadius = 3;
-  double ContourSigma = 8.0;
+  double ContourWeight = novelview::OutlineParameters::Alpha.Default;
+  double SmoothWeight = novelview::OutlineParameters::Beta.Default;
+  double SearchRange = novelview::OutlineParameters::SearchPx.Default;
+  int WindowRadius = novelview::OutlineParameters::WindowRadius.Default;
+  double ContourSigma = novelview::OutlineParameters::SigmaPx.Default;
 
 private:
   vtkOutlineDeformer(const vtkOutlineDeformer&) = delete;

@@ -44,6 +44,7 @@
 #ifndef vtkPowerCrustMesher_h
 #define vtkPowerCrustMesher_h
 
+#include "crust/PowerCrustParameters.h"
 #include "vtkNovelViewFiltersModule.h"
 #include <vtkPolyDataAlgorithm.h>
 
@@ -69,7 +70,7 @@ public:
   ///@}
 
   ///@{
-  /** Whether the input's point normals, if there are any, take part. Default: on. */
+  /** Whether the input's point normals, if there are any, take part. Default on. */
   vtkSetMacro(UseNormals, bool);
   vtkGetMacro(UseNormals, bool);
   vtkBooleanMacro(UseNormals, bool);
@@ -78,14 +79,16 @@ public:
   ///@{
   /**
    * DelaunayCrust only: pieces and cavities with fewer samples than this are dropped as noise; the
-   * largest piece stays. Default: 20, range: 0 (keep all) and up.
+   * largest piece stays. 0 keeps all. Default 20, range 0 to 2147483647.
    */
-  vtkSetClampMacro(MinimumComponentSamples, int, 0, VTK_INT_MAX);
+  vtkSetClampMacro(MinimumComponentSamples, int,
+    novelview::PowerCrustParameters::MinimumComponentSamples.Min,
+    novelview::PowerCrustParameters::MinimumComponentSamples.Max);
   vtkGetMacro(MinimumComponentSamples, int);
   ///@}
 
   ///@{
-  /** DelaunayCrust only: bring samples just off the surface onto it. Default: on. */
+  /** DelaunayCrust only: bring samples just off the surface onto it. Default on. */
   vtkSetMacro(RecoverSamples, bool);
   vtkGetMacro(RecoverSamples, bool);
   vtkBooleanMacro(RecoverSamples, bool);
@@ -103,8 +106,8 @@ protected:
 
   int OutputType = DelaunayCrust;
   bool UseNormals = true;
-  int MinimumComponentSamples = 20;
-  bool RecoverSamples = true;
+  int MinimumComponentSamples = novelview::PowerCrustParameters::MinimumComponentSamples.Default;
+  bool RecoverSamples = novelview::PowerCrustParameters::RecoverSamples;
 
 private:
   vtkPowerCrustMesher(const vtkPowerCrustMesher&) = delete;

@@ -33,6 +33,7 @@
 #ifndef vtkReferenceDepthEstimator_h
 #define vtkReferenceDepthEstimator_h
 
+#include "stereo/ReferenceDepthParameters.h"
 #include "vtkNovelViewFiltersModule.h"
 #include <vtkMultiBlockDataSetAlgorithm.h>
 
@@ -45,19 +46,22 @@ public:
 
   ///@{
   /** Neighbouring photographs each is matched with. Default 4, range 1 to 16. */
-  vtkSetClampMacro(Neighbours, int, 1, 16);
+  vtkSetClampMacro(Neighbours, int, novelview::ReferenceDepthParameters::Neighbours.Min,
+    novelview::ReferenceDepthParameters::Neighbours.Max);
   vtkGetMacro(Neighbours, int);
   ///@}
 
   ///@{
-  /** How deep behind the hull's front is searched, pixel footprints. Default 150, 4 to 1000. */
-  vtkSetClampMacro(SearchDepth, double, 4.0, 1000.0);
+  /** How deep behind the hull's front is searched, pixel footprints. Default 150, range 4 to 1000. */
+  vtkSetClampMacro(SearchDepth, double, novelview::ReferenceDepthParameters::CoarseLastPx.Min,
+    novelview::ReferenceDepthParameters::CoarseLastPx.Max);
   vtkGetMacro(SearchDepth, double);
   ///@}
 
   ///@{
   /** Radius of the matching windows, pixels. Default 2 (5x5), range 1 to 5. */
-  vtkSetClampMacro(WindowRadius, int, 1, 5);
+  vtkSetClampMacro(WindowRadius, int, novelview::ReferenceDepthParameters::WindowRadius.Min,
+    novelview::ReferenceDepthParameters::WindowRadius.Max);
   vtkGetMacro(WindowRadius, int);
   ///@}
 
@@ -66,7 +70,8 @@ public:
    * Share of the colour difference in the matching cost; the rest is correlation. Default 0.5,
    * range 0 to 1.
    */
-  vtkSetClampMacro(ColorShare, double, 0.0, 1.0);
+  vtkSetClampMacro(ColorShare, double, novelview::ReferenceDepthParameters::ColorShare.Min,
+    novelview::ReferenceDepthParameters::ColorShare.Max);
   vtkGetMacro(ColorShare, double);
   ///@}
 
@@ -77,10 +82,10 @@ protected:
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
-  int Neighbours = 4;
-  double SearchDepth = 150;
-  int WindowRadius = 2;
-  double ColorShare = 0.5;
+  int Neighbours = novelview::ReferenceDepthParameters::Neighbours.Default;
+  double SearchDepth = novelview::ReferenceDepthParameters::CoarseLastPx.Default;
+  int WindowRadius = novelview::ReferenceDepthParameters::WindowRadius.Default;
+  double ColorShare = novelview::ReferenceDepthParameters::ColorShare.Default;
 
 private:
   vtkReferenceDepthEstimator(const vtkReferenceDepthEstimator&) = delete;

@@ -22,6 +22,7 @@
 #ifndef vtkSilhouetteReconciler_h
 #define vtkSilhouetteReconciler_h
 
+#include "silhouettes/ConsistencyParameters.h"
 #include "vtkNovelViewFiltersModule.h"
 #include <vtkMultiBlockDataSetAlgorithm.h>
 
@@ -34,13 +35,15 @@ public:
 
   ///@{
   /** Smaller offsets are left alone, pixels. Default 0.5, range 0.25 to 100. */
-  vtkSetClampMacro(MinOffset, double, 0.25, 100.0);
+  vtkSetClampMacro(MinOffset, double, novelview::ConsistencyParameters::MinPx.Min,
+    novelview::ConsistencyParameters::MinPx.Max);
   vtkGetMacro(MinOffset, double);
   ///@}
 
   ///@{
   /** Part of the other views' edge rays a silhouette has to cut. Default 0.05, range 0 to 1. */
-  vtkSetClampMacro(MinShare, double, 0.0, 1.0);
+  vtkSetClampMacro(MinShare, double, novelview::ConsistencyParameters::MinShare.Min,
+    novelview::ConsistencyParameters::MinShare.Max);
   vtkGetMacro(MinShare, double);
   ///@}
 
@@ -50,8 +53,8 @@ protected:
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
-  double MinOffset = 0.5;
-  double MinShare = 0.05;
+  double MinOffset = novelview::ConsistencyParameters::MinPx.Default;
+  double MinShare = novelview::ConsistencyParameters::MinShare.Default;
 
 private:
   vtkSilhouetteReconciler(const vtkSilhouetteReconciler&) = delete;

@@ -12,6 +12,7 @@
 #ifndef vtkTsdfDeformer_h
 #define vtkTsdfDeformer_h
 
+#include "fusion/FusionParameters.h"
 #include "vtkViewDeformer.h"
 
 class vtkDataObject;
@@ -30,10 +31,11 @@ public:
   ///@{
   /**
    * By how many input pixel footprints the maps are off. The more, the more steadily and the less
-   * finely they are followed (TsdfDeformation.h). 0, the default, takes what
-   * vtkReferenceDepthEstimator measured. Range 0 to 10.
+   * finely they are followed (TsdfDeformation.h). 0 takes what vtkReferenceDepthEstimator measured.
+   * Default 0, range 0 to 10.
    */
-  vtkSetClampMacro(DepthNoise, double, 0.0, 10.0);
+  vtkSetClampMacro(DepthNoise, double, novelview::FusionParameters::DepthNoise.Min,
+    novelview::FusionParameters::DepthNoise.Max);
   vtkGetMacro(DepthNoise, double);
   ///@}
 
@@ -44,7 +46,7 @@ protected:
   /** How the depth maps of these views are followed. */
   novelview::TsdfDeformationOptions TsdfOptions(vtkDataObject* views);
 
-  double DepthNoise = 0;
+  double DepthNoise = novelview::FusionParameters::DepthNoise.Default;
 
 private:
   vtkTsdfDeformer(const vtkTsdfDeformer&) = delete;

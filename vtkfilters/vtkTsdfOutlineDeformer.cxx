@@ -17,7 +17,7 @@ void vtkTsdfOutlineDeformer::Deform(const Work& work)
     ? this->SilhouettePrior
     : novelview::AttachedNumber(
         work.ViewData, novelview::arrays::SilhouettePrior, options.Outline.SilhouettePrior);
-  options.Silhouette.PredictionWeight *= this->UseContourPrediction;
+  options.Silhouette.UsePrediction = this->UseContourPrediction;
   novelview::DeformOutlineByField(
     work.Mesh, work.Visible, work.Views, work.Camera, options, work.Listener, work.Execution);
 }

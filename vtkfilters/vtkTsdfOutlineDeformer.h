@@ -28,15 +28,16 @@ public:
   ///@{
   /**
    * Weight of "object" against the photographs' votes when it is decided whether a ray meets any.
-   * Larger values carve less. 0, the default, takes the one that vtkReferenceDepthEstimator found
-   * for the data set. Range 0 to 10.
+   * Larger values carve less. 0 takes the one that vtkReferenceDepthEstimator found for the data
+   * set. Default 0, range 0 to 10.
    */
-  vtkSetClampMacro(SilhouettePrior, double, 0.0, 10.0);
+  vtkSetClampMacro(SilhouettePrior, double, novelview::FusionParameters::SilhouettePrior.Min,
+    novelview::FusionParameters::SilhouettePrior.Max);
   vtkGetMacro(SilhouettePrior, double);
   ///@}
 
   ///@{
-  /** Refine the outline by the contour interpolated from the photographs' own. Default on. */
+  /** Refine the outline by the contour interpolated from the photographs' own. Default off. */
   vtkSetMacro(UseContourPrediction, bool);
   vtkGetMacro(UseContourPrediction, bool);
   vtkBooleanMacro(UseContourPrediction, bool);
@@ -49,8 +50,8 @@ protected:
   const char* ContourArrayName() const override { return novelview::arrays::EnergyContour; }
   bool MovesOutline() const override { return true; }
 
-  double SilhouettePrior = 0;
-  bool UseContourPrediction = true;
+  double SilhouettePrior = novelview::FusionParameters::SilhouettePrior.Default;
+  bool UseContourPrediction = novelview::FusionParameters::UsePrediction;
 
 private:
   vtkTsdfOutlineDeformer(const vtkTsdfOutlineDeformer&) = delete;

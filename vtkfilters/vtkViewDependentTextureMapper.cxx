@@ -86,8 +86,8 @@ int vtkViewDependentTextureMapper::RequestData(
       options.OcclusionPx = this->OcclusionSoftness;
       options.UseDepthMaps = this->UseDepthMaps;
       options.UseGains = this->UseExposureGains;
-      options.RimSamples = this->RimSamples | 1;
-      options.SoftRim = this->SoftRim;
+      options.BoundarySamples = this->BoundarySamples | 1;
+      options.SoftBoundary = this->SoftBoundary;
       std::optional<novelview::TriangleMesh> occluders;
       vtkPolyData* others = vtkPolyData::GetData(inputs[2]);
       if (others && novelview::NeedsModel(views, options))
@@ -119,6 +119,6 @@ void vtkViewDependentTextureMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OcclusionSoftness: " << this->OcclusionSoftness << "\n";
   os << indent << "UseDepthMaps: " << this->UseDepthMaps << "\n";
   os << indent << "UseExposureGains: " << this->UseExposureGains << "\n";
-  os << indent << "RimSamples: " << this->RimSamples << "\n";
-  os << indent << "SoftRim: " << this->SoftRim << "\n";
+  os << indent << "BoundarySamples: " << this->BoundarySamples << "\n";
+  os << indent << "SoftBoundary: " << this->SoftBoundary << "\n";
 }

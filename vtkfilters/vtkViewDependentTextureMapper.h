@@ -19,7 +19,7 @@
  *  - in 2 (optional): vtkPolyData, triangles that also stand between photographs and mesh, such as
  *    those a vtkVisibilityCuller removed.
  *  - out 0: vtkImageData of the camera's size (bottom-up rows) with point arrays
- *      `Color` (uint8 x 3), black outside the mask (but see SoftRim);
+ *      `Color` (uint8 x 3), black outside the mask (but see SoftBoundary);
  *      `Mask` (uint8, 255 = object);
  *      `Depth` (float, world units, 0 outside);
  *      `CellId` (int, triangle of the mesh, -1 outside);
@@ -27,8 +27,8 @@
  *      the surroundings).
  *
  * Differs from the paper: photographs that do not see V are left out; the weight falls towards the
- * silhouette's border (FeatherWidth); rim pixels are antialiased against black (RimSamples; 1 is
- * the paper's, as is SoftRim off); occlusion may be soft and tested against the views' own depth maps
+ * silhouette's border (FeatherWidth); boundary pixels are antialiased against black (BoundarySamples; 1 is
+ * the paper's, as is SoftBoundary off); occlusion may be soft and tested against the views' own depth maps
  * (OcclusionSoftness, UseDepthMaps; off is the paper's); photographs of different exposure are
  * brought to their mean (UseExposureGains; off is the paper's).
  *
@@ -39,6 +39,7 @@
 #ifndef vtkViewDependentTextureMapper_h
 #define vtkViewDependentTextureMapper_h
 
+#include "texture/TextureParameters.h"
 #include "vtkNovelViewFiltersModule.h"
 #include <vtkImageAlgorithm.h>
 #include <vtkSmartPointer.h>
@@ -60,13 +61,15 @@ public:
 
   ///@{
   /** Photographs blended per pixel. Default 3, range 1 to 64. */
-  vtkSetClampMacro(References, int, 1, 64);
+  vtkSetClampMacro(References, int, novelview::TextureParameters::References.Min,
+    novelview::TextureParameters::References.Max);
   vtkGetMacro(References, int);
   ///@}
 
   ///@{
   /** The exponent m of the weights. Default 8, range 0 to 64. */
-  vtkSetClampMacro(Power, double, 0.0, 64.0);
+  vtkSetClampMacro(Power, double, novelview::TextureParameters::Power.Min,
+    novelview::TextureParameters::Power.Max);
   vtkGetMacro(Power, double);
   ///@}
 
@@ -75,16 +78,18 @@ public:
    * Width over which a photograph's weight grows from its silhouette's border inwards, pixels.
    * Default 2, range 0.01 to 100.
    */
-  vtkSetClampMacro(FeatherWidth, double, 0.01, 100.0);
+  vtkSetClampMacro(FeatherWidth, double, novelview::TextureParameters::FeatherPx.Min,
+    novelview::TextureParameters::FeatherPx.Max);
   vtkGetMacro(FeatherWidth, double);
   ///@}
 
   ///@{
   /**
    * Softness of the occlusion test in pixel footprints: a point z behind the model counts
-   * exp(-(z / softness)^2). 0, the default, tests hard at 1.5 footprints. Range 0 to 100.
+   * exp(-(z / softness)^2). 0 tests hard at 1.5 footprints. Default 0, range 0 to 100.
    */
-  vtkSetClampMacro(OcclusionSoftness, double, 0.0, 100.0);
+  vtkSetClampMacro(OcclusionSoftness, double, novelview::TextureParameters::OcclusionPx.Min,
+    novelview::TextureParameters::OcclusionPx.Max);
   vtkGetMacro(OcclusionSoftness, double);
   ///@}
 
@@ -104,22 +109,23 @@ public:
 
   ///@{
   /**
-   * Subsamples per pixel side for the coverage of rim pixels; even values are raised by one.
-   * Default 1 (no antialiasing), range 1 to 9.
+   * Subsamples per pixel side for the coverage of boundary pixels; even values are raised by one, and
+   * 1 is no antialiasing. Default 1, range 1 to 9.
    */
-  vtkSetClampMacro(RimSamples, int, 1, 9);
-  vtkGetMacro(RimSamples, int);
+  vtkSetClampMacro(BoundarySamples, int, novelview::TextureParameters::BoundarySamples.Min,
+    novelview::TextureParameters::BoundarySamples.Max);
+  vtkGetMacro(BoundarySamples, int);
   ///@}
 
   ///@{
   /**
    * Give pixels of which less than half is covered their share of colour, although they are not of
-   * the `Mask`: in a film the contour then moves instead of jumping. Needs RimSamples above 1.
+   * the `Mask`: in a film the contour then moves instead of jumping. Needs BoundarySamples above 1.
    * Default off.
    */
-  vtkSetMacro(SoftRim, bool);
-  vtkGetMacro(SoftRim, bool);
-  vtkBooleanMacro(SoftRim, bool);
+  vtkSetMacro(SoftBoundary, bool);
+  vtkGetMacro(SoftBoundary, bool);
+  vtkBooleanMacro(SoftBoundary, bool);
   ///@}
 
   vtkMTimeType GetMTime() override;
@@ -134,14 +140,14 @@ protected:
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
   vtkSmartPointer<vtkPinholeCamera> Camera;
-  int References = 3;
-  double Power = 8.0;
-  double FeatherWidth = 2.0;
-  double OcclusionSoftness = 0.0;
-  bool UseDepthMaps = false;
-  bool UseExposureGains = false;
-  int RimSamples = 1;
-  bool SoftRim = false;
+  int References = novelview::TextureParameters::References.Default;
+  double Power = novelview::TextureParameters::Power.Default;
+  double FeatherWidth = novelview::TextureParameters::FeatherPx.Default;
+  double OcclusionSoftness = novelview::TextureParameters::OcclusionPx.Default;
+  bool UseDepthMaps = novelview::TextureParameters::UseDepthMaps;
+  bool UseExposureGains = novelview::TextureParameters::UseGains;
+  int BoundarySamples = novelview::TextureParameters::BoundarySamples.Default;
+  bool SoftBoundary = novelview::TextureParameters::SoftBoundary;
 
 private:
   vtkViewDependentTextureMapper(const vtkViewDependentTextureMapper&) = delete;

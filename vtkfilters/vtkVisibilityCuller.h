@@ -30,6 +30,7 @@
 #ifndef vtkVisibilityCuller_h
 #define vtkVisibilityCuller_h
 
+#include "geometry/VisibilityParameters.h"
 #include "vtkNovelViewFiltersModule.h"
 #include <vtkPolyDataAlgorithm.h>
 #include <vtkSmartPointer.h>
@@ -50,17 +51,19 @@ public:
   ///@}
 
   ///@{
-  /** How much deeper "behind" is, in diagonals of the bounding box. Default 1e-6, 0 to 0.1. */
-  vtkSetClampMacro(Tolerance, double, 0.0, 0.1);
+  /** How much deeper "behind" is, in diagonals of the bounding box. Default 1e-6, range 0 to 0.1. */
+  vtkSetClampMacro(Tolerance, double, novelview::VisibilityParameters::Tolerance.Min,
+    novelview::VisibilityParameters::Tolerance.Max);
   vtkGetMacro(Tolerance, double);
   ///@}
 
   ///@{
   /**
    * Edges that remain and are longer than this in the camera's picture, pixels, are cut once at
-   * their middle. Default 0, which leaves all whole; up to 1000.
+   * their middle; 0 leaves all whole. Default 0, range 0 to 1000.
    */
-  vtkSetClampMacro(MaximumEdgeLength, double, 0.0, 1000.0);
+  vtkSetClampMacro(MaximumEdgeLength, double, novelview::VisibilityParameters::LongestEdgePx.Min,
+    novelview::VisibilityParameters::LongestEdgePx.Max);
   vtkGetMacro(MaximumEdgeLength, double);
   ///@}
 
@@ -73,8 +76,8 @@ protected:
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
   vtkSmartPointer<vtkPinholeCamera> Camera;
-  double Tolerance = 1e-6;
-  double MaximumEdgeLength = 0;
+  double Tolerance = novelview::VisibilityParameters::Tolerance.Default;
+  double MaximumEdgeLength = novelview::VisibilityParameters::LongestEdgePx.Default;
 
 private:
   vtkVisibilityCuller(const vtkVisibilityCuller&) = delete;

@@ -36,6 +36,7 @@
 #ifndef vtkVisualHullSource_h
 #define vtkVisualHullSource_h
 
+#include "hull/VisualHullParameters.h"
 #include "vtkNovelViewFiltersModule.h"
 #include <vtkPolyDataAlgorithm.h>
 
@@ -51,7 +52,8 @@ public:
    * Distance between samples in pixels of the photographs at the object's middle. Default 2,
    * range 0.25 to 64.
    */
-  vtkSetClampMacro(SampleSpacing, double, 0.25, 64.0);
+  vtkSetClampMacro(SampleSpacing, double, novelview::VisualHullParameters::SpacingPx.Min,
+    novelview::VisualHullParameters::SpacingPx.Max);
   vtkGetMacro(SampleSpacing, double);
   ///@}
 
@@ -87,9 +89,9 @@ protected:
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
-  double SampleSpacing = 2.0;
+  double SampleSpacing = novelview::VisualHullParameters::SpacingPx.Default;
   double SearchBounds[6] = { 1, -1, 1, -1, 1, -1 };
-  bool KeepAllComponents = false;
+  bool KeepAllComponents = novelview::VisualHullParameters::KeepAllComponents;
   int NumberOfDroppedComponents = 0;
   vtkIdType NumberOfDroppedSamples = 0;
   double WorldSpacing = 0;

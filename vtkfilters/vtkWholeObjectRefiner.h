@@ -16,6 +16,7 @@
 #ifndef vtkWholeObjectRefiner_h
 #define vtkWholeObjectRefiner_h
 
+#include "fusion/FusionParameters.h"
 #include "vtkNovelViewFiltersModule.h"
 #include <vtkPolyDataAlgorithm.h>
 
@@ -28,10 +29,11 @@ public:
 
   ///@{
   /**
-   * By how many input pixel footprints the depth maps are off, see vtkTsdfDeformer. 0, the default,
-   * takes what vtkReferenceDepthEstimator measured. Range 0 to 10.
+   * By how many input pixel footprints the depth maps are off, see vtkTsdfDeformer. 0 takes what
+   * vtkReferenceDepthEstimator measured. Default 0, range 0 to 10.
    */
-  vtkSetClampMacro(DepthNoise, double, 0.0, 10.0);
+  vtkSetClampMacro(DepthNoise, double, novelview::FusionParameters::DepthNoise.Min,
+    novelview::FusionParameters::DepthNoise.Max);
   vtkGetMacro(DepthNoise, double);
   ///@}
 
@@ -42,7 +44,7 @@ protected:
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
-  double DepthNoise = 0;
+  double DepthNoise = novelview::FusionParameters::DepthNoise.Default;
 
 private:
   vtkWholeObjectRefiner(const vtkWholeObjectRefiner&) = delete;

@@ -107,8 +107,8 @@ public:
     {
       return *taken;
     }
-    throw Error(this->Where, "is too short", std::to_string(this->Left()) + " bytes",
-      std::to_string(count));
+    throw Error(
+      this->Where, "is too short", std::to_string(this->Left()) + " bytes", std::to_string(count));
   }
   std::string TakeText() { return std::string(this->TakeBytes(this->Take<std::uint64_t>())); }
 

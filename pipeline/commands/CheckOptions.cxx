@@ -18,11 +18,12 @@ OptionTable OptionsOf(CheckOptions& options)
   return table;
 }
 
-CheckOptions MakeCheckOptions(const fs::path& dataset, const ParsedArguments& given)
+CheckOptions MakeCheckOptions(
+  const fs::path& dataset, const ParsedArguments& given, const OptionWarning& warn)
 {
   CheckOptions options;
   options.Input.Dataset = dataset;
-  SetFromArguments(OptionsOf(options), given);
+  SetFromArguments(OptionsOf(options), given, warn);
   return options;
 }
 }

@@ -2,6 +2,7 @@
 #ifndef novelview_CheckOptions_h
 #define novelview_CheckOptions_h
 
+#include "commands/MethodOptions.h"
 #include "dataset/DatasetInput.h"
 #include "options/Options.h"
 
@@ -14,14 +15,15 @@ struct CheckOptions
 {
   DatasetInput Input;
   std::filesystem::path Out; ///< gets check.json and the picture of the cameras; empty = neither
-  int Threads = 0;
+  int Threads = ProgramParameters::Threads.Default;
 };
 
 /** The table: what the options are called, their help, units and ranges. */
 OptionTable OptionsOf(CheckOptions& options);
 
 /** The options of a check; they come from the command line alone. Throws UsageError. */
-CheckOptions MakeCheckOptions(const std::filesystem::path& dataset, const ParsedArguments& given);
+CheckOptions MakeCheckOptions(const std::filesystem::path& dataset, const ParsedArguments& given,
+  const OptionWarning& warn = {});
 }
 
 #endif

@@ -42,16 +42,21 @@ void ShowOptions(const std::function<void(const OptionTable&)>& show)
   show(OptionsOf(defaults));
 }
 
+OptionWarning WarnOn(Console& console)
+{
+  return [&console](const std::string& text) { console.Warn(text); };
+}
+
 /** A command of this process alone; `work` may return whether there are no problems. */
 template <class Options, class Result>
 Command Single(const char* name, const char* help, const char* datasetHelp,
-  Options (*make)(const fs::path&, const ParsedArguments&),
+  Options (*make)(const fs::path&, const ParsedArguments&, const OptionWarning&),
   Result (*work)(const Options&, Console&))
 {
   const auto run = [make, work](
                      const fs::path& dataset, const ParsedArguments& given, CommandContext& context)
   {
-    const Options options = make(dataset, given);
+    const Options options = make(dataset, given, WarnOn(context.Out));
     LimitThreads(options.Threads);
     if constexpr (std::is_same_v<Result, bool>)
     {
@@ -69,13 +74,13 @@ Command Single(const char* name, const char* help, const char* datasetHelp,
 /** A command that the processes of mpirun share. */
 template <class Options>
 Command Shared(const char* name, const char* help,
-  Options (*make)(const fs::path&, const ParsedArguments&),
+  Options (*make)(const fs::path&, const ParsedArguments&, const OptionWarning&),
   void (*work)(const Options&, Console&, ProcessGroup&))
 {
   const auto run = [make, work](
                      const fs::path& dataset, const ParsedArguments& given, CommandContext& context)
   {
-    const Options options = make(dataset, given);
+    const Options options = make(dataset, given, WarnOn(context.Out));
     work(options, context.Out, context.StartProcesses(options.RankTimeoutSeconds));
     return ExitCode::Ok;
   };

@@ -26,11 +26,12 @@ OptionTable OptionsOf(ConvertOptions& options)
   return table;
 }
 
-ConvertOptions MakeConvertOptions(const fs::path& dataset, const ParsedArguments& given)
+ConvertOptions MakeConvertOptions(
+  const fs::path& dataset, const ParsedArguments& given, const OptionWarning& warn)
 {
   ConvertOptions options;
   options.Dataset = dataset;
-  SetFromArguments(OptionsOf(options), given);
+  SetFromArguments(OptionsOf(options), given, warn);
   if (options.Format.empty())
   {
     throw UsageError("--format", "no format to write given", "nothing",

@@ -2,6 +2,7 @@
 #ifndef novelview_ConvertOptions_h
 #define novelview_ConvertOptions_h
 
+#include "commands/MethodOptions.h"
 #include "dataset/DatasetInput.h"
 #include "options/Options.h"
 
@@ -20,15 +21,15 @@ struct ConvertOptions
   std::string Format;               ///< a name of DatasetFormats.h
   std::vector<std::string> Exclude; ///< photographs to leave out
   bool Undistort = false;           ///< also where the format could hold the distortion
-  int Threads = 0;
+  int Threads = ProgramParameters::Threads.Default;
 };
 
 /** The table: what the options are called, their help, units and ranges. */
 OptionTable OptionsOf(ConvertOptions& options);
 
 /** The options of a conversion; they come from the command line alone. Throws UsageError. */
-ConvertOptions MakeConvertOptions(
-  const std::filesystem::path& dataset, const ParsedArguments& given);
+ConvertOptions MakeConvertOptions(const std::filesystem::path& dataset,
+  const ParsedArguments& given, const OptionWarning& warn = {});
 }
 
 #endif

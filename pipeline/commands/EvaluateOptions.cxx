@@ -31,9 +31,10 @@ OptionTable OptionsOf(EvaluateOptions& options)
   return table;
 }
 
-EvaluateOptions MakeEvaluateOptions(const fs::path& dataset, const ParsedArguments& given)
+EvaluateOptions MakeEvaluateOptions(
+  const fs::path& dataset, const ParsedArguments& given, const OptionWarning& warn)
 {
-  EvaluateOptions options = MergedOptions<EvaluateOptions>(dataset, given);
+  EvaluateOptions options = MergedOptions<EvaluateOptions>(dataset, given, warn);
   std::vector<std::string> ways;
   if (!options.HoldOut.empty())
   {

@@ -14,18 +14,19 @@ struct EvaluateOptions
   : MethodOptions
   , HoldOutOptions
 {
-  std::filesystem::path Out;    ///< gets the scores, the chart and the pictures
-  bool Pictures = true;         ///< write the views' pictures and the overview
-  bool Page = true;             ///< write report.html
-  int RankTimeoutSeconds = 300; ///< of several processes; 0 = never
+  std::filesystem::path Out; ///< gets the scores, the chart and the pictures
+  bool Pictures = true;      ///< write the views' pictures and the overview
+  bool Page = true;          ///< write report.html
+  /** Of several processes; 0 = never. */
+  int RankTimeoutSeconds = ProgramParameters::RankTimeoutSeconds.Default;
 };
 
 /** The table: what the options are called, their help, units and ranges. */
 OptionTable OptionsOf(EvaluateOptions& options);
 
 /** See MergeOptions(). Throws UsageError. */
-EvaluateOptions MakeEvaluateOptions(
-  const std::filesystem::path& dataset, const ParsedArguments& given);
+EvaluateOptions MakeEvaluateOptions(const std::filesystem::path& dataset,
+  const ParsedArguments& given, const OptionWarning& warn = {});
 }
 
 #endif

@@ -15,10 +15,10 @@ OptionTable OptionsOf(GenerateOptions& options)
 }
 
 GenerateOptions MakeGenerateOptions(
-  const std::filesystem::path& /*dataset*/, const ParsedArguments& given)
+  const std::filesystem::path& /*dataset*/, const ParsedArguments& given, const OptionWarning& warn)
 {
   GenerateOptions options;
-  SetFromArguments(OptionsOf(options), given);
+  SetFromArguments(OptionsOf(options), given, warn);
   RequireOut(!options.Out.empty());
   return options;
 }

@@ -3,6 +3,7 @@
 #define novelview_GenerateCommand_h
 
 #include "base/Console.h"
+#include "commands/MethodOptions.h"
 #include "generator/Generator.h"
 #include "options/Options.h"
 
@@ -13,16 +14,16 @@ namespace novelview
 /** A data set of virtual photographs: `novelview generate`. */
 struct GenerateOptions : GeneratorOptions
 {
-  std::filesystem::path Out; ///< gets the data set
-  int Threads = 0;           ///< 0 = one per core
+  std::filesystem::path Out;                        ///< gets the data set
+  int Threads = ProgramParameters::Threads.Default; ///< 0 = one per core
 };
 
 /** The table: what the options are called, their help, units and ranges. */
 OptionTable OptionsOf(GenerateOptions& options);
 
 /** The options; they come from the command line alone, and there is no data set. Throws UsageError. */
-GenerateOptions MakeGenerateOptions(
-  const std::filesystem::path& dataset, const ParsedArguments& given);
+GenerateOptions MakeGenerateOptions(const std::filesystem::path& dataset,
+  const ParsedArguments& given, const OptionWarning& warn = {});
 
 /** Writes the data set. Throws Error, and Interrupted when the console asks for a stop. */
 void Generate(const GenerateOptions& options, Console& console);

@@ -35,11 +35,12 @@ OptionTable OptionsOf(MaskOptions& options)
   return table;
 }
 
-MaskOptions MakeMaskOptions(const fs::path& dataset, const ParsedArguments& given)
+MaskOptions MakeMaskOptions(
+  const fs::path& dataset, const ParsedArguments& given, const OptionWarning& warn)
 {
   MaskOptions options;
   options.Dataset = dataset;
-  SetFromArguments(OptionsOf(options), given);
+  SetFromArguments(OptionsOf(options), given, warn);
   if (options.Out.empty() == !options.InPlace)
   {
     throw UsageError(options.InPlace ? "--in-place" : "--out",

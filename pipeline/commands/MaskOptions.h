@@ -2,7 +2,9 @@
 #ifndef novelview_MaskOptions_h
 #define novelview_MaskOptions_h
 
+#include "commands/MethodOptions.h"
 #include "dataset/DatasetInput.h"
+#include "masks/GrabCutMask.h"
 #include "options/Options.h"
 
 #include <filesystem>
@@ -24,9 +26,9 @@ struct MaskOptions
   std::vector<double> Key;          ///< chroma: the background's RGB, 0 to 255; empty = found
   std::vector<double> Box;          ///< grabcut: x0 y0 x1 y1 around the object, px; empty = central
   double BoxMargin = 0.1;           ///< of the central box to every side, part of the frame
-  int GrabCutRounds = 5;            ///< of GrabCut
+  int GrabCutRounds = GrabCutOptions().Rounds;
   SilhouetteOptions Silhouette;
-  int Threads = 0;
+  int Threads = ProgramParameters::Threads.Default;
 };
 
 /** The table: what the options are called, their help, units and ranges. */
@@ -36,7 +38,8 @@ OptionTable OptionsOf(MaskOptions& options);
  * The options; they come from the command line alone. Throws UsageError, also when options contradict
  * each other.
  */
-MaskOptions MakeMaskOptions(const std::filesystem::path& dataset, const ParsedArguments& given);
+MaskOptions MakeMaskOptions(const std::filesystem::path& dataset, const ParsedArguments& given,
+  const OptionWarning& warn = {});
 }
 
 #endif

@@ -2,7 +2,6 @@
 #include "commands/MeshCommand.h"
 
 #include "Threads.h"
-#include "ViewAccess.h"
 #include "base/AtomicFile.h"
 #include "base/InputFile.h"
 #include "commands/CommandSupport.h"
@@ -27,17 +26,19 @@ void PrepareModelFiles(const std::vector<fs::path>& files)
   }
 }
 
-void WriteModelFiles(const TriangleMesh& mesh, vtkMultiBlockDataSet* views,
+void WriteModelFiles(vtkPolyData* mesh, vtkMultiBlockDataSet* views,
   const SynthesisOptions& synthesis, int textureSizePx, const std::vector<fs::path>& files,
   Console& console)
 {
-  TexturedModel model;
-  console.RunTimed(
-    "mesh texture", [&] { model = MakeTexturedModel(mesh, views, synthesis, textureSizePx); });
+  const SynthesisListener listener = ListenerFor(console);
+  const TexturedModel model =
+    MakeTexturedModel(mesh, views, synthesis, textureSizePx, listener.Progress, listener.StageDone);
+  int size[3];
+  model.Texture->GetDimensions(size);
   console.Info(fmt::format(
     "mesh: {} points, {} triangles; texture {} x {} px, {} charts, {:.1f} % seen by a photograph",
-    model.Mesh.Points.size(), model.Mesh.Triangles.size(), model.Atlas.Picture.Width,
-    model.Atlas.Picture.Height, model.Atlas.Charts, 100 * model.Atlas.SeenShare));
+    model.Mesh->GetNumberOfPoints(), model.Mesh->GetNumberOfPolys(), size[0], size[1], model.Charts,
+    100 * model.SeenShare));
   console.RunTimed("mesh files",
     [&]
     {
@@ -57,8 +58,8 @@ void MakeMesh(const MeshOptions& options, Console& console)
   const Dataset dataset = ReadInput(options.Input, index, {}, console);
   Synthesis synthesis(dataset.Views, options.Synthesis, ListenerFor(console));
   vtkMultiBlockDataSet* views = synthesis.Photographs();
-  const TriangleMesh mesh = ToTriangleMesh(synthesis.WholeObject(options.UpTo), "mesh");
-  WriteModelFiles(mesh, views, options.Synthesis, options.TextureSizePx, options.Out, console);
+  WriteModelFiles(synthesis.WholeObject(options.UpTo), views, options.Synthesis,
+    options.TextureSizePx, options.Out, console);
   console.Summary();
 }
 }

@@ -4,7 +4,9 @@
 
 #include "base/Console.h"
 #include "commands/MeshOptions.h"
-#include "geometry/TriangleMesh.h"
+
+#include <vtkMultiBlockDataSet.h>
+#include <vtkPolyData.h>
 
 namespace novelview
 {
@@ -14,8 +16,8 @@ void MakeMesh(const MeshOptions& options, Console& console);
 /** Announces the files of a mesh and proves that their folders can be written. Throws Error. */
 void PrepareModelFiles(const std::vector<std::filesystem::path>& files);
 
-/** Colours a mesh from the views and writes it into every file; says where. Throws Error. */
-void WriteModelFiles(const TriangleMesh& mesh, vtkMultiBlockDataSet* views,
+/** Colours a mesh from the views and writes it into every file; says where. Throws Error and Interrupted. */
+void WriteModelFiles(vtkPolyData* mesh, vtkMultiBlockDataSet* views,
   const SynthesisOptions& synthesis, int textureSizePx,
   const std::vector<std::filesystem::path>& files, Console& console);
 }

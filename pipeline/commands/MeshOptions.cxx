@@ -17,9 +17,10 @@ OptionTable OptionsOf(MeshOptions& options)
   return WithMethod(std::move(table), options);
 }
 
-MeshOptions MakeMeshOptions(const fs::path& dataset, const ParsedArguments& given)
+MeshOptions MakeMeshOptions(
+  const fs::path& dataset, const ParsedArguments& given, const OptionWarning& warn)
 {
-  MeshOptions options = MergedOptions<MeshOptions>(dataset, given);
+  MeshOptions options = MergedOptions<MeshOptions>(dataset, given, warn);
   CheckModelFiles(options.Out, "--out");
   return options;
 }

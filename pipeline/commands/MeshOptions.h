@@ -13,14 +13,16 @@ namespace novelview
 struct MeshOptions : MethodOptions
 {
   std::vector<std::filesystem::path> Out; ///< files, see ModelFile.h
-  int TextureSizePx = 4096;               ///< of the texture, at most
+  /** Of the texture, at most. */
+  int TextureSizePx = TextureAtlasParameters::LargestSidePx.Default;
 };
 
 /** The table: what the options are called, their help, units and ranges. */
 OptionTable OptionsOf(MeshOptions& options);
 
 /** See MergeOptions(). Throws UsageError. */
-MeshOptions MakeMeshOptions(const std::filesystem::path& dataset, const ParsedArguments& given);
+MeshOptions MakeMeshOptions(const std::filesystem::path& dataset, const ParsedArguments& given,
+  const OptionWarning& warn = {});
 }
 
 #endif

@@ -10,20 +10,25 @@ namespace fs = std::filesystem;
 Option ThreadsOption(int& threads)
 {
   // The result is the same with any number, so a written job does not hold it.
-  return { "threads", "threads to use; 0 = one per core", "", "Program", &threads, 0, 1024, {},
-    false };
+  Option option = ParameterOption(
+    "threads", "threads to use; 0 = one per core", "Program", &threads, ProgramParameters::Threads);
+  option.InJob = false;
+  return option;
 }
 
 Option RankTimeoutOption(int& seconds)
 {
-  return { "rankTimeout",
+  Option option = ParameterOption("rankTimeout",
     "end the run of several processes (mpirun) when one of them is silent for so long; 0 = never",
-    "s", "Program", &seconds, 0, 86400, {}, false };
+    "Program", &seconds, ProgramParameters::RankTimeoutSeconds);
+  option.InJob = false;
+  return option;
 }
 
 Option TextureSizeOption(int& sizePx, const char* group)
 {
-  return { "textureSize", "largest side of a mesh's texture", "px", group, &sizePx, 64, 16384 };
+  return ParameterOption("textureSize", "largest side of a mesh's texture", group, &sizePx,
+    TextureAtlasParameters::LargestSidePx);
 }
 
 OptionTable WithMethod(OptionTable table, MethodOptions& options)
@@ -36,7 +41,8 @@ OptionTable WithMethod(OptionTable table, MethodOptions& options)
 }
 
 void MergeOptions(const fs::path& dataset, const ParsedArguments& given, const OptionTable& table,
-  SynthesisOptions (*defaultsOf)(const std::string&), MethodOptions& options)
+  SynthesisOptions (*defaultsOf)(const std::string&), const OptionWarning& warn,
+  MethodOptions& options)
 {
   const auto applyPreset = [&](const std::string& preset)
   {
@@ -54,7 +60,7 @@ void MergeOptions(const fs::path& dataset, const ParsedArguments& given, const O
       SetFromJson(preset, { { "preset", object["preset"] } }, {}, dataset.string());
       applyPreset(std::string(options.Synthesis.Preset));
     }
-    SetFromJson(table, object, fs::absolute(dataset).parent_path(), dataset.string());
+    SetFromJson(table, object, fs::absolute(dataset).parent_path(), dataset.string(), warn);
   }
   else
   {
@@ -67,7 +73,7 @@ void MergeOptions(const fs::path& dataset, const ParsedArguments& given, const O
       applyPreset(words.front());
     }
   }
-  SetFromArguments(table, given);
+  SetFromArguments(table, given, warn);
   if (options.Input.Dataset.empty())
   {
     throw UsageError(dataset.empty() ? "data set" : dataset.string(), "no data set given");

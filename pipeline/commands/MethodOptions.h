@@ -11,12 +11,19 @@
 
 namespace novelview
 {
+/** Options of the program itself. */
+struct ProgramParameters
+{
+  static constexpr Parameter<int> Threads{ 0, 0, 1024 };
+  static constexpr Parameter<int> RankTimeoutSeconds{ 300, 0, 86400, "s" };
+};
+
 /** What every command that makes novel views of a data set can be told. */
 struct MethodOptions
 {
   DatasetInput Input;
   Stage UpTo = Stage::Full;
-  int Threads = 0; ///< 0 = one per core
+  int Threads = ProgramParameters::Threads.Default; ///< 0 = one per core
   SynthesisOptions Synthesis;
 
   /** The stage options that a preset stands for; a command may have others. */
@@ -33,22 +40,23 @@ OptionTable WithMethod(OptionTable table, MethodOptions& options);
 /**
  * Sets the options of a command from what was given: `dataset` is a folder, or a JSON file that holds
  * any of the options ("dataset" among them). The command line overrides the file, which overrides the
- * preset. A preset on the command line replaces all stage options of the file. Throws UsageError, also
- * when there is no data set.
+ * preset. A preset on the command line replaces all stage options of the file. `warn` hears of former
+ * names. Throws UsageError, also when there is no data set.
  */
 void MergeOptions(const std::filesystem::path& dataset, const ParsedArguments& given,
   const OptionTable& table, SynthesisOptions (*defaultsOf)(const std::string&),
-  MethodOptions& options);
+  const OptionWarning& warn, MethodOptions& options);
 
 /** Throws UsageError when there is no place for the results. */
 void RequireOut(bool given);
 
 /** The options of a command, merged; see above. */
 template <class Options>
-Options MergedOptions(const std::filesystem::path& dataset, const ParsedArguments& given)
+Options MergedOptions(
+  const std::filesystem::path& dataset, const ParsedArguments& given, const OptionWarning& warn)
 {
   Options options;
-  MergeOptions(dataset, given, OptionsOf(options), &Options::DefaultsOf, options);
+  MergeOptions(dataset, given, OptionsOf(options), &Options::DefaultsOf, warn, options);
   RequireOut(!options.Out.empty());
   return options;
 }

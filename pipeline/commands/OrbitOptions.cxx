@@ -27,13 +27,14 @@ OptionTable OptionsOf(OrbitOptions& options)
 SynthesisOptions OrbitOptions::DefaultsOf(const std::string& preset)
 {
   SynthesisOptions options = PresetOptions(preset);
-  options.SoftRim = true;
-  options.RimSamples = 5;
+  options.SoftBoundary = true;
+  options.BoundarySamples = 5;
   return options;
 }
 
-OrbitOptions MakeOrbitOptions(const fs::path& dataset, const ParsedArguments& given)
+OrbitOptions MakeOrbitOptions(
+  const fs::path& dataset, const ParsedArguments& given, const OptionWarning& warn)
 {
-  return MergedOptions<OrbitOptions>(dataset, given);
+  return MergedOptions<OrbitOptions>(dataset, given, warn);
 }
 }

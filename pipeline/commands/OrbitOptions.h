@@ -17,7 +17,8 @@ struct OrbitOptions
 {
   std::filesystem::path Out;       ///< a video, or a folder for the frames
   std::filesystem::path FramesDir; ///< also gets the frames as pictures; empty = none
-  int RankTimeoutSeconds = 300;    ///< of several processes; 0 = never
+  /** Of several processes; 0 = never. */
+  int RankTimeoutSeconds = ProgramParameters::RankTimeoutSeconds.Default;
 
   /** A film is softer at the rim, where else the contour would jump from pixel to pixel. */
   static SynthesisOptions DefaultsOf(const std::string& preset);
@@ -27,7 +28,8 @@ struct OrbitOptions
 OptionTable OptionsOf(OrbitOptions& options);
 
 /** See MergeOptions(). Throws UsageError. */
-OrbitOptions MakeOrbitOptions(const std::filesystem::path& dataset, const ParsedArguments& given);
+OrbitOptions MakeOrbitOptions(const std::filesystem::path& dataset, const ParsedArguments& given,
+  const OptionWarning& warn = {});
 }
 
 #endif

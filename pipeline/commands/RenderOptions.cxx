@@ -18,9 +18,10 @@ OptionTable OptionsOf(RenderOptions& options)
   return table;
 }
 
-RenderOptions MakeRenderOptions(const fs::path& dataset, const ParsedArguments& given)
+RenderOptions MakeRenderOptions(
+  const fs::path& dataset, const ParsedArguments& given, const OptionWarning& warn)
 {
-  RenderOptions options = MergedOptions<RenderOptions>(dataset, given);
+  RenderOptions options = MergedOptions<RenderOptions>(dataset, given, warn);
   if (options.Cameras.empty())
   {
     throw UsageError("--cameras", "no calibration file of the views given");

@@ -13,14 +13,16 @@ struct RenderOptions : MethodOptions
 {
   std::filesystem::path Cameras; ///< calibration file of the views to make
   std::filesystem::path Out;     ///< gets NAME and mask/NAME of each
-  int RankTimeoutSeconds = 300;  ///< of several processes; 0 = never
+  /** Of several processes; 0 = never. */
+  int RankTimeoutSeconds = ProgramParameters::RankTimeoutSeconds.Default;
 };
 
 /** The table: what the options are called, their help, units and ranges. */
 OptionTable OptionsOf(RenderOptions& options);
 
 /** See MergeOptions(). Throws UsageError. */
-RenderOptions MakeRenderOptions(const std::filesystem::path& dataset, const ParsedArguments& given);
+RenderOptions MakeRenderOptions(const std::filesystem::path& dataset, const ParsedArguments& given,
+  const OptionWarning& warn = {});
 }
 
 #endif

@@ -182,8 +182,8 @@ void RunView(const RunOptions& options, Console& console)
   }
   if (!options.MeshOut.empty())
   {
-    WriteModelFiles(ToTriangleMesh(stages.back().Mesh, "mesh"), synthesis.Photographs(),
-      options.Synthesis, options.TextureSizePx, options.MeshOut, console);
+    WriteModelFiles(stages.back().Mesh, synthesis.Photographs(), options.Synthesis,
+      options.TextureSizePx, options.MeshOut, console);
   }
   console.RunTimed("report",
     [&]

@@ -66,9 +66,10 @@ void CheckNames(const RunOptions& options)
 }
 }
 
-RunOptions MakeRunOptions(const fs::path& dataset, const ParsedArguments& given)
+RunOptions MakeRunOptions(
+  const fs::path& dataset, const ParsedArguments& given, const OptionWarning& warn)
 {
-  RunOptions options = MergedOptions<RunOptions>(dataset, given);
+  RunOptions options = MergedOptions<RunOptions>(dataset, given, warn);
   if (options.View.What == ViewSpec::Kind::None)
   {
     throw UsageError("--view", "no novel view given");

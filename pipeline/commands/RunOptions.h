@@ -23,7 +23,8 @@ struct RunOptions : MethodOptions
   bool Screenshots = true;         ///< and a picture of the scene
   bool Page = true;                ///< report.html and the picture of the rig
   std::vector<std::filesystem::path> MeshOut; ///< files of the view's mesh, see ModelFile.h
-  int TextureSizePx = 4096;                   ///< of the mesh's texture, at most
+  /** Of the mesh's texture, at most. */
+  int TextureSizePx = TextureAtlasParameters::LargestSidePx.Default;
 };
 
 /** The table: what the options are called, their help, units and ranges. */
@@ -33,7 +34,8 @@ OptionTable OptionsOf(RunOptions& options);
  * See MergeOptions(). Throws UsageError, also when there is no view or options contradict each other, and
  * Error when the job.json of the results could not hold a name, which must be UTF-8.
  */
-RunOptions MakeRunOptions(const std::filesystem::path& dataset, const ParsedArguments& given);
+RunOptions MakeRunOptions(const std::filesystem::path& dataset, const ParsedArguments& given,
+  const OptionWarning& warn = {});
 
 /**
  * A job file in the out folder: every option that can change the result, so that running the file does

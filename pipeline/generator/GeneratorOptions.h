@@ -49,7 +49,10 @@ struct GeneratorOptions
 /** The table: what the options are called, their help, units and ranges. */
 OptionTable OptionsOf(GeneratorOptions& options);
 
-/** Throws Error when an option is out of its range. Files are not looked at. */
+/**
+ * Throws Error when an option is out of the range that its table says, or names a view that there is
+ * not. Files are not looked at.
+ */
 void ValidateGeneratorOptions(const GeneratorOptions& options);
 }
 

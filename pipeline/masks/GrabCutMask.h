@@ -14,7 +14,8 @@ struct GrabCutOptions
 {
   std::array<double, 4> Box{ 0, 0, 0, 0 }; ///< x0 y0 x1 y1, pixels; the object lies inside
   int Rounds = 5;
-  double SmallHole = 0.01; ///< holes smaller than this part of the object are filled
+  double SmallHole =
+    SilhouetteOptions().SmallHole; ///< holes smaller than this part of the object are filled
 };
 
 /** The box that leaves out this part of the frame to every side. */

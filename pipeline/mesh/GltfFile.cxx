@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/GltfFile.h"
 
+#include "ViewAccess.h"
 #include "base/ByteStream.h"
 #include "images/ImageFile.h"
 
 #include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
+
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
 
 #include <bit>
 #include <cstdint>
@@ -80,27 +84,30 @@ public:
 };
 
 /** Adds the mesh's attributes and says which accessors they are. */
-Json PrimitiveOf(const TexturedModel& model, const Eigen::Vector3d& middle, GltfBuffer& buffer)
+Json PrimitiveOf(const TexturedModel& model, const TriangleMesh& mesh,
+  const Eigen::Vector3d& middle, GltfBuffer& buffer)
 {
-  const TextureAtlas& atlas = model.Atlas;
+  vtkPointData* pointData = model.Atlas->GetPointData();
   std::vector<float> positions;
   std::vector<float> normals;
   std::vector<float> coordinates;
-  for (std::size_t ptId = 0; ptId < atlas.Mesh.Points.size(); ++ptId)
+  for (std::size_t ptId = 0; ptId < mesh.Points.size(); ++ptId)
   {
-    const Eigen::Vector3f position = (atlas.Mesh.Points[ptId] - middle).cast<float>();
+    const auto tuple = static_cast<vtkIdType>(ptId);
+    const Eigen::Vector3f position = (mesh.Points[ptId] - middle).cast<float>();
     positions.insert(positions.end(), position.data(), position.data() + 3);
     // The specification wants every normal to be of length 1; where there is none any will do.
-    const Eigen::Vector3d& normal = model.Normals[atlas.PointOf[ptId]];
-    const Eigen::Vector3f unit = normal.norm() > 0
-      ? Eigen::Vector3f(normal.normalized().cast<float>())
-      : Eigen::Vector3f(model.Up.cast<float>());
+    Eigen::Vector3d normal(pointData->GetNormals()->GetTuple3(tuple));
+    normal = normal.isZero(0) ? model.Up : normal;
+    const Eigen::Vector3f unit = normal.cast<float>();
     normals.insert(normals.end(), unit.data(), unit.data() + 3);
-    const Eigen::Vector2f at = atlas.TexCoords[ptId].cast<float>();
-    coordinates.insert(coordinates.end(), at.data(), at.data() + 2);
+    // VTK counts texture coordinates from the bottom.
+    const double* at = pointData->GetTCoords()->GetTuple2(tuple);
+    coordinates.push_back(static_cast<float>(at[0]));
+    coordinates.push_back(static_cast<float>(1 - at[1]));
   }
   std::vector<std::uint32_t> indices;
-  for (const Eigen::Vector3i& t : atlas.Mesh.Triangles)
+  for (const Eigen::Vector3i& t : mesh.Triangles)
   {
     indices.insert(indices.end(), t.data(), t.data() + 3);
   }
@@ -125,12 +132,14 @@ Json NodeOf(const TexturedModel& model, const Eigen::Vector3d& middle)
 
 std::string GlbOf(const TexturedModel& model)
 {
-  const Eigen::Vector3d middle = BoundingBox(model.Atlas.Mesh.Points).center();
+  const TriangleMesh mesh = ToTriangleMesh(model.Atlas, "glTF mesh");
+  const Eigen::Vector3d middle = BoundingBox(mesh.Points).center();
   GltfBuffer buffer;
-  const Json primitive = PrimitiveOf(model, middle, buffer);
+  const Json primitive = PrimitiveOf(model, mesh, middle, buffer);
   constexpr int jpegQuality = 93;
-  const std::vector<std::uint8_t> jpeg =
-    EncodeJpeg(model.Atlas.Picture.Ref(), jpegQuality, "glTF texture");
+  const std::vector<std::uint8_t> jpeg = EncodeJpeg(
+    TopDownArray<const std::uint8_t>(model.Texture, arrays::Color, 3, "glTF texture", true),
+    jpegQuality, "glTF texture");
   const int picture = buffer.AddView(jpeg.data(), jpeg.size());
 
   Json gltf;

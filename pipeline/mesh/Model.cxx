@@ -1,50 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/Model.h"
 
-#include "Threads.h"
 #include "ViewAccess.h"
 #include "cameras/CameraUp.h"
-#include "geometry/MeshNeighbours.h"
+#include "vtkTextureAtlasGenerator.h"
+
+#include <vtkNew.h>
 
 namespace novelview
 {
-namespace
+TexturedModel MakeTexturedModel(vtkPolyData* mesh, vtkMultiBlockDataSet* views,
+  const SynthesisOptions& options, int textureSizePx, const StageProgress& progress,
+  const StageDone& done)
 {
-Execution InParallel()
-{
-  Execution execution;
-  execution.ParallelFor = ParallelFor;
-  return execution;
-}
+  const vtkNew<vtkTextureAtlasGenerator> generator;
+  generator->SetInputData(0, mesh);
+  generator->SetInputData(1, views);
+  generator->SetTextureSize(textureSizePx);
+  generator->SetReferences(options.References);
+  generator->SetPower(options.Power);
+  generator->SetFeatherWidth(options.FeatherPx);
+  generator->SetOcclusionSoftness(options.OcclusionSoftness);
+  generator->SetUseExposureGains(options.ExposureGains);
+  RunStage("mesh texture", generator, progress, done);
 
-std::vector<View> ColouredViews(vtkMultiBlockDataSet* views)
-{
-  ViewNeeds needs;
-  needs.Color = needs.ContourDistance = true;
-  return ReadViews(views, needs);
-}
-}
-
-TexturedModel MakeTexturedModel(const TriangleMesh& mesh, vtkMultiBlockDataSet* views,
-  const SynthesisOptions& options, int textureSizePx)
-{
-  const std::vector<View> photographs = ColouredViews(views);
-  TextureAtlasOptions atlas;
-  atlas.LargestSidePx = textureSizePx;
-  atlas.Texture.References = options.References;
-  atlas.Texture.Power = options.Power;
-  atlas.Texture.FeatherPx = options.FeatherPx;
-  atlas.Texture.OcclusionPx = options.OcclusionSoftness;
-  atlas.Texture.UseGains = options.ExposureGains;
   TexturedModel model;
-  model.Mesh = mesh;
-  model.Normals = VertexNormals(mesh);
-  model.PointColours = ColourPoints(mesh, photographs, atlas.Texture, InParallel());
-  model.Atlas = MakeTextureAtlas(mesh, photographs, atlas, InParallel());
+  model.Mesh = generator->GetOutput();
+  model.Atlas = generator->GetAtlasMesh();
+  model.Texture = generator->GetTexture();
+  model.Charts = generator->GetNumberOfCharts();
+  model.SeenShare = generator->GetSeenShare();
   std::vector<Camera> cameras;
-  for (const View& view : photographs)
+  for (unsigned int viewId = 0; viewId < views->GetNumberOfBlocks(); ++viewId)
   {
-    cameras.push_back(view.Cam);
+    cameras.push_back(AttachedCamera(ViewImage(views, viewId), ViewName(views, viewId)));
   }
   model.Up = UpOfCameras(cameras);
   return model;

@@ -3,34 +3,37 @@
 #ifndef novelview_Model_h
 #define novelview_Model_h
 
-#include "synthesis/Synthesis.h"
-#include "texture/TextureAtlas.h"
+#include "synthesis/StageRunner.h"
+#include "synthesis/SynthesisOptions.h"
 
+#include <vtkImageData.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 
-#include <array>
-#include <cstdint>
-#include <vector>
+#include <Eigen/Core>
 
 namespace novelview
 {
-/** Coordinates are those of the data set. */
+/** Coordinates are those of the data set. The three data sets are outputs of vtkTextureAtlasGenerator. */
 struct TexturedModel
 {
-  TriangleMesh Mesh;
-  std::vector<Eigen::Vector3d> Normals;                  ///< per point, outward
-  std::vector<std::array<std::uint8_t, 3>> PointColours; ///< per point, RGB
-  TextureAtlas Atlas;                                    ///< the same mesh cut into charts
-  Eigen::Vector3d Up = Eigen::Vector3d::UnitY();         ///< the direction that is up
+  vtkSmartPointer<vtkPolyData> Mesh;  ///< with Color and Normals per point
+  vtkSmartPointer<vtkPolyData> Atlas; ///< the same mesh cut into charts, with TCoords and Normals
+  vtkSmartPointer<vtkImageData> Texture; ///< Color
+  int Charts = 0;
+  double SeenShare = 0;                          ///< part of the charts that a photograph sees
+  Eigen::Vector3d Up = Eigen::Vector3d::UnitY(); ///< the direction that is up
 };
 
 /**
  * Colours a mesh from the views: as the options blend the photographs, but for no novel camera. The
- * texture's sides are at most `textureSizePx`. Throws Error.
+ * texture's sides are at most `textureSizePx`. Runs as the stage "mesh texture". Throws Error, and
+ * Interrupted when `progress` asks for a stop.
  */
-TexturedModel MakeTexturedModel(const TriangleMesh& mesh, vtkMultiBlockDataSet* views,
-  const SynthesisOptions& options, int textureSizePx);
+TexturedModel MakeTexturedModel(vtkPolyData* mesh, vtkMultiBlockDataSet* views,
+  const SynthesisOptions& options, int textureSizePx, const StageProgress& progress = {},
+  const StageDone& done = {});
 }
 
 #endif

@@ -10,11 +10,6 @@
 #include "mesh/GltfFile.h"
 #include "mesh/PolyDataFile.h"
 
-#include <vtkFloatArray.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkUnsignedCharArray.h>
-
 #include <algorithm>
 #include <array>
 
@@ -29,42 +24,10 @@ std::string KindOf(const fs::path& file)
   return LowerCase(file.extension().string());
 }
 
-/** The mesh with a colour and a normal per point. */
-vtkSmartPointer<vtkPolyData> ColouredPolyData(const TexturedModel& model)
+/** The pixels of the texture. */
+ImageRef<const std::uint8_t> PixelsOf(const TexturedModel& model)
 {
-  auto poly = vtkSmartPointer<vtkPolyData>::New();
-  FromTriangleMesh(model.Mesh, poly);
-  vtkNew<vtkUnsignedCharArray> colours;
-  colours->SetName(arrays::Color);
-  colours->SetNumberOfComponents(3);
-  colours->SetNumberOfTuples(static_cast<vtkIdType>(model.PointColours.size()));
-  for (std::size_t ptId = 0; ptId < model.PointColours.size(); ++ptId)
-  {
-    colours->SetTypedTuple(static_cast<vtkIdType>(ptId), model.PointColours[ptId].data());
-  }
-  poly->GetPointData()->SetScalars(colours);
-  poly->GetPointData()->SetNormals(NewNormals(model.Normals));
-  return poly;
-}
-
-/** The mesh cut into charts, with texture coordinates; VTK and OBJ count them from the bottom. */
-vtkSmartPointer<vtkPolyData> AtlasPolyData(const TexturedModel& model)
-{
-  auto poly = vtkSmartPointer<vtkPolyData>::New();
-  FromTriangleMesh(model.Atlas.Mesh, poly);
-  vtkNew<vtkFloatArray> coordinates;
-  coordinates->SetName("TextureCoordinates");
-  coordinates->SetNumberOfComponents(2);
-  std::vector<Eigen::Vector3d> normals;
-  for (std::size_t ptId = 0; ptId < model.Atlas.PointOf.size(); ++ptId)
-  {
-    const Eigen::Vector2d& at = model.Atlas.TexCoords[ptId];
-    coordinates->InsertNextTuple2(at.x(), 1 - at.y());
-    normals.push_back(model.Normals[model.Atlas.PointOf[ptId]]);
-  }
-  poly->GetPointData()->SetTCoords(coordinates);
-  poly->GetPointData()->SetNormals(NewNormals(normals));
-  return poly;
+  return TopDownArray<const std::uint8_t>(model.Texture, arrays::Color, 3, "texture", true);
 }
 
 /** The texture first and the mesh that names it last. */
@@ -72,14 +35,13 @@ void WriteObj(const TexturedModel& model, const fs::path& file)
 {
   const fs::path texture = fs::path(file).replace_extension(".jpg");
   const fs::path material = fs::path(file).replace_extension(".mtl");
-  WriteImageFile(texture, model.Atlas.Picture.Ref());
+  WriteImageFile(texture, PixelsOf(model));
   // The photographs' light is in the colours: ambient light shows them as they are.
   WriteTextAtomically(material,
     "newmtl photographs\nKa 1 1 1\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Ka " +
       texture.filename().string() + "\nmap_Kd " + texture.filename().string() + "\n");
   WriteTextAtomically(file,
-    ObjText(
-      AtlasPolyData(model), "mtllib " + material.filename().string() + "\nusemtl photographs\n"));
+    ObjText(model.Atlas, "mtllib " + material.filename().string() + "\nusemtl photographs\n"));
 }
 }
 
@@ -117,15 +79,15 @@ void WriteModelFile(const TexturedModel& model, const fs::path& file)
   }
   else if (kind == ".ply")
   {
-    WritePly(file, ColouredPolyData(model));
+    WritePly(file, model.Mesh);
   }
   else if (kind == ".vtp")
   {
-    WriteVtp(file, ColouredPolyData(model), VtpCompressor::Zlib);
+    WriteVtp(file, model.Mesh, VtpCompressor::Zlib);
   }
   else
   {
-    WriteStl(file, ColouredPolyData(model));
+    WriteStl(file, model.Mesh);
   }
 }
 

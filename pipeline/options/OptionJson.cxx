@@ -191,25 +191,45 @@ private:
 };
 }
 
-void SetFromJson(
-  const OptionTable& table, const Json& object, const fs::path& folder, const std::string& where)
+namespace
+{
+/** The option of a key. Throws UsageError when there is none. */
+const Option& OptionOfKey(
+  const OptionTable& table, const std::string& key, const std::string& where)
 {
   std::vector<std::string> keys;
   for (const Option& option : table)
   {
+    if (HasKey(option, key))
+    {
+      return option;
+    }
     keys.push_back(option.Key);
   }
+  const std::string nearest = NearestWord(key, keys);
+  throw UsageError(where,
+    "unknown key \"" + key + "\"" + (nearest.empty() ? "" : ", did you mean \"" + nearest + "\"?"));
+}
+}
+
+void SetFromJson(const OptionTable& table, const Json& object, const fs::path& folder,
+  const std::string& where, const OptionWarning& warn)
+{
   for (const auto& [key, value] : object.items())
   {
-    const auto found = std::find(keys.begin(), keys.end(), key);
-    if (found == keys.end())
+    const Option& option = OptionOfKey(table, key, where);
+    if (key != option.Key)
     {
-      const std::string nearest = NearestWord(key, keys);
-      throw UsageError(where,
-        "unknown key \"" + key + "\"" +
-          (nearest.empty() ? "" : ", did you mean \"" + nearest + "\"?"));
+      const std::string text = "key \"" + key + "\" is now \"" + option.Key + "\"";
+      if (object.contains(option.Key))
+      {
+        throw UsageError(where, text + ", which is there, too");
+      }
+      if (warn)
+      {
+        warn(where + ", " + text);
+      }
     }
-    const Option& option = table[static_cast<std::size_t>(found - keys.begin())];
     std::visit(JsonSetter(option, value, folder, where), option.Target);
   }
 }

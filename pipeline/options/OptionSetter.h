@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -23,6 +24,13 @@ std::string NumbersText(const T& values)
     words.push_back(NumberText(value));
   }
   return Joined(words, ",");
+}
+
+/** Whether an option goes, or went, by a key. */
+inline bool HasKey(const Option& option, const std::string& key)
+{
+  const std::vector<std::string>& former = option.FormerKeys;
+  return option.Key == key || std::find(former.begin(), former.end(), key) != former.end();
 }
 
 /** x0 y0 z0 x1 y1 z1: every second value must be above the first. */
@@ -71,6 +79,10 @@ public:
     if (!(value >= this->Target.Min && value <= this->Target.Max))
     {
       throw UsageError(this->Where, "is out of range", NumberText(value), RangeText(this->Target));
+    }
+    if (!std::isfinite(static_cast<double>(value)))
+    {
+      throw UsageError(this->Where, "is not finite", NumberText(value), "a finite number");
     }
     return value;
   }

@@ -93,11 +93,26 @@ void SetFromText(const Option& option, const std::vector<std::string>& words)
   std::visit(TextSetter(option, words), option.Target);
 }
 
-void SetFromArguments(const OptionTable& table, const ParsedArguments& given)
+void SetFromArguments(
+  const OptionTable& table, const ParsedArguments& given, const OptionWarning& warn)
 {
   for (const auto& [key, words] : given)
   {
-    SetFromText(FindOption(table, key), words);
+    const Option& option = FindOption(table, key);
+    if (key != option.Key)
+    {
+      const std::string text = "is now " + FlagOf(option.Key);
+      if (std::any_of(given.begin(), given.end(),
+            [&option](const auto& each) { return each.first == option.Key; }))
+      {
+        throw UsageError(FlagOf(key), text + ", which is given, too");
+      }
+      if (warn)
+      {
+        warn(FlagOf(key) + " " + text);
+      }
+    }
+    SetFromText(option, words);
   }
 }
 }

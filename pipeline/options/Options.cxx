@@ -46,6 +46,46 @@ struct TextGetter
     return SizeText(*target.Width, *target.Height);
   }
 };
+
+/** Checks the value that a target has. */
+class ValueChecker : public OptionSetter
+{
+public:
+  using OptionSetter::OptionSetter;
+
+  void operator()(int* target) const { this->InRange(*target); }
+  void operator()(double* target) const { this->InRange(*target); }
+  void operator()(std::string* target) const { this->OfChoices(*target); }
+  void operator()(std::optional<double>* target) const
+  {
+    if (*target)
+    {
+      this->InRange(**target);
+    }
+  }
+  void operator()(std::vector<int>* target) const { this->Each(*target); }
+  void operator()(std::vector<double>* target) const { this->Each(*target); }
+  void operator()(const SizeTarget& target) const
+  {
+    this->InRange(*target.Width);
+    this->InRange(*target.Height);
+  }
+  /** Of any other value all are good. */
+  template <class T>
+  void operator()(const T&) const
+  {
+  }
+
+private:
+  template <class T>
+  void Each(const std::vector<T>& values) const
+  {
+    for (const T value : values)
+    {
+      this->InRange(value);
+    }
+  }
+};
 }
 
 std::string FlagOf(const std::string& key)
@@ -87,6 +127,14 @@ std::string RangeText(const Option& option)
               : (to ? "at most " + NumberText(option.Max) : "");
 }
 
+void CheckValues(const OptionTable& table, const std::string& where)
+{
+  for (const Option& option : table)
+  {
+    std::visit(ValueChecker(option, where + ", " + option.Key), option.Target);
+  }
+}
+
 void AppendOptions(OptionTable& table, OptionTable more)
 {
   table.insert(
@@ -96,7 +144,7 @@ void AppendOptions(OptionTable& table, OptionTable more)
 const Option& FindOption(const OptionTable& table, const std::string& key)
 {
   const auto found = std::find_if(
-    table.begin(), table.end(), [&key](const Option& option) { return option.Key == key; });
+    table.begin(), table.end(), [&key](const Option& option) { return HasKey(option, key); });
   if (found == table.end())
   {
     throw UsageError(FlagOf(key), "is no option of this command");

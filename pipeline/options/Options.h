@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * Options as tables: one line per option says its key, help, unit, range and where its value lives.
+ * Unit and range of a method's option come from the kernels (Parameter.h), as its default does.
  * Reading and writing JSON, command-line options and --help all come from the same table.
  */
 #ifndef novelview_Options_h
 #define novelview_Options_h
 
 #include "base/UsageError.h"
+#include "core/Parameter.h"
 
 #include <nlohmann/json.hpp>
 
@@ -62,16 +64,29 @@ struct Option
   std::vector<std::string> Choices = {}; ///< of a text; empty = any
   bool InJob = true;   ///< false: cannot change the result, so it is read from jobs, not written
   bool OfScene = true; ///< false: does not matter before there is a novel camera, nor to the cache
-  bool Positional = false; ///< on the command line a word without flag
+  bool Positional = false;                  ///< on the command line a word without flag
+  std::vector<std::string> FormerKeys = {}; ///< of earlier versions; still read, with a warning
 };
 using OptionTable = std::vector<Option>;
+
+/** An option with the unit and the range of a parameter. */
+template <class T>
+Option ParameterOption(const std::string& key, const std::string& help, const std::string& group,
+  T* target, const Parameter<T>& parameter)
+{
+  return { key, help, parameter.Unit, group, target, static_cast<double>(parameter.Min),
+    static_cast<double>(parameter.Max) };
+}
 
 /** Words of a command line by the key of their option, in the order given. */
 using ParsedArguments = std::vector<std::pair<std::string, std::vector<std::string>>>;
 
+/** Hears of what is understood but should be given otherwise, one line each. */
+using OptionWarning = std::function<void(const std::string& text)>;
+
 void AppendOptions(OptionTable& table, OptionTable more);
 
-/** The option of a key. Throws UsageError, naming the flag, when there is none. */
+/** The option of a key, or a former one. Throws UsageError, naming the flag, when there is none. */
 const Option& FindOption(const OptionTable& table, const std::string& key);
 
 /** "hullSpacing" as "--hull-spacing". */
@@ -84,21 +99,31 @@ std::string ValueText(const Option& option);
 std::string RangeText(const Option& option);
 
 /**
+ * Throws UsageError, naming `where` and the key, when a value is out of the range or none of the
+ * choices of its option: for options that were set by a program.
+ */
+void CheckValues(const OptionTable& table, const std::string& where);
+
+/**
  * Sets an option from words of a command line; a list takes all of them. Throws UsageError, naming
  * the flag.
  */
 void SetFromText(const Option& option, const std::vector<std::string>& words);
 
-/** Sets the options that were given. Throws UsageError, naming the flag. */
-void SetFromArguments(const OptionTable& table, const ParsedArguments& given);
+/**
+ * Sets the options that were given. Throws UsageError, naming the flag, also when an option is given
+ * by its key and a former one.
+ */
+void SetFromArguments(
+  const OptionTable& table, const ParsedArguments& given, const OptionWarning& warn = {});
 
 /**
  * Sets options from a JSON object. Relative paths are relative to `folder`. Unknown keys (the
- * nearest known one is suggested), wrong types and values out of range throw UsageError, naming
- * `where` and the key.
+ * nearest known one is suggested), a key beside a former one of the same option, wrong types and
+ * values out of range throw UsageError, naming `where` and the key.
  */
 void SetFromJson(const OptionTable& table, const nlohmann::ordered_json& object,
-  const std::filesystem::path& folder, const std::string& where);
+  const std::filesystem::path& folder, const std::string& where, const OptionWarning& warn = {});
 
 /** All options that are part of a job. Paths are absolute, but for one inside `folder`. */
 nlohmann::ordered_json ToJson(const OptionTable& table, const std::filesystem::path& folder);

@@ -58,7 +58,7 @@ SynthesisOptions PresetOptions(const std::string& preset)
     options.FeatherPx = 20;
     options.OcclusionSoftness = 1.5;
     options.ExposureGains = true;
-    options.RimSamples = 3;
+    options.BoundarySamples = 3;
     return options;
   }
   throw Error("preset", "unknown", preset, "best or paper");
@@ -66,6 +66,13 @@ SynthesisOptions PresetOptions(const std::string& preset)
 
 namespace
 {
+/** An option that went by another key in earlier versions. */
+Option Formerly(const std::string& key, Option option)
+{
+  option.FormerKeys.push_back(key);
+  return option;
+}
+
 /** An option that matters only once there is a novel camera. */
 Option OfView(Option option)
 {
@@ -90,53 +97,57 @@ OptionTable OptionsOf(SynthesisOptions& options)
       "Method", &options.Cache }),
     { "reconcileSilhouettes", "enlarge silhouettes that are too small for all the others", "", hull,
       &options.ReconcileSilhouettes },
-    { "hullSpacing", "distance between surface samples, in the photographs", "px", hull,
-      &options.HullSpacingPx, 0.25, 64 },
+    ParameterOption("hullSpacing", "distance between surface samples, in the photographs", hull,
+      &options.HullSpacingPx, VisualHullParameters::SpacingPx),
     { "hullBox", "search box x0,y0,z0,x1,y1,z1; found from the silhouettes when not given",
       "world units", hull, &options.HullBox },
     { "hullKeepAll", "keep every component, not only the largest", "", hull, &options.HullKeepAll },
-    OfView({ "longestEdge",
+    OfView(ParameterOption("longestEdge",
       "cut longer edges of what the novel camera sees at their middle, once; 0 = leave all whole",
-      "px", "Visibility culler", &options.LongestEdgePx, 0, 1000 }),
-    OfView({ "outlineIterations", "most rounds of moves", "", outline, &options.OutlineIterations,
-      0, 1000 }),
-    OfView({ "outlineAlpha", "weight of the contour energy", "", outline, &options.OutlineAlpha, 0,
-      100 }),
-    OfView({ "outlineBeta", "weight of the smoothness energy", "", outline, &options.OutlineBeta, 0,
-      100 }),
-    OfView({ "outlineSearch", "how far to either side a point may look", "px", outline,
-      &options.OutlineSearchPx, 0.25, 50 }),
-    OfView({ "nonOutlineIterations", "most rounds of moves", "", nonOutline,
-      &options.NonOutlineIterations, 0, 1000 }),
-    OfView({ "nonOutlineAlpha", "weight of the smoothness energy", "", nonOutline,
-      &options.NonOutlineAlpha, 0, 100 }),
+      "Visibility culler", &options.LongestEdgePx, VisibilityParameters::LongestEdgePx)),
+    OfView(ParameterOption("outlineIterations", "most rounds of moves", outline,
+      &options.OutlineIterations, DeformationParameters::Iterations)),
+    OfView(ParameterOption("outlineAlpha", "weight of the contour energy", outline,
+      &options.OutlineAlpha, OutlineParameters::Alpha)),
+    OfView(ParameterOption("outlineBeta", "weight of the smoothness energy", outline,
+      &options.OutlineBeta, OutlineParameters::Beta)),
+    OfView(ParameterOption("outlineSearch", "how far to either side a point may look", outline,
+      &options.OutlineSearchPx, OutlineParameters::SearchPx)),
+    OfView(ParameterOption("nonOutlineIterations", "most rounds of moves", nonOutline,
+      &options.NonOutlineIterations, DeformationParameters::Iterations)),
+    OfView(ParameterOption("nonOutlineAlpha", "weight of the smoothness energy", nonOutline,
+      &options.NonOutlineAlpha, NonOutlineParameters::Alpha)),
     { "depthMaps",
       "find the surface by a depth map in every photograph, not by the paper's energies", "", depth,
       &options.UseDepthMaps },
-    OfView({ "silhouettePrior",
+    OfView(ParameterOption("silhouettePrior",
       "weight of 'object' against the depth maps' votes at the outline; 0 = found from the data",
-      "", depth, &options.SilhouettePrior, 0, 10 }),
-    OfView({ "depthNoise",
-      "by how much the depth maps are off: how finely they are followed; 0 = measured",
-      "pixel footprints", depth, &options.DepthNoise, 0, 10 }),
+      depth, &options.SilhouettePrior, FusionParameters::SilhouettePrior)),
+    OfView(ParameterOption("depthNoise",
+      "by how much the depth maps are off: how finely they are followed; 0 = measured", depth,
+      &options.DepthNoise, FusionParameters::DepthNoise)),
     OfView({ "contourPrediction",
       "refine the outline by the contour interpolated from the photographs' contours", "", depth,
       &options.ContourPrediction }),
-    OfView(
-      { "references", "photographs blended per pixel", "", texture, &options.References, 1, 64 }),
-    OfView(
-      { "power", "m of the blending weight cos(angle)^m", "", texture, &options.Power, 0, 64 }),
-    OfView(
-      { "feather", "a photograph's weight grows over this from its silhouette's border inwards",
-        "px", texture, &options.FeatherPx, 0.01, 100 }),
-    OfView({ "occlusionSoftness", "softness of the occlusion test; 0 = hard", "pixel footprints",
-      texture, &options.OcclusionSoftness, 0, 100 }),
+    OfView(ParameterOption("references", "photographs blended per pixel", texture,
+      &options.References, TextureParameters::References)),
+    OfView(ParameterOption("power", "m of the blending weight cos(angle)^m", texture,
+      &options.Power, TextureParameters::Power)),
+    OfView(ParameterOption("feather",
+      "a photograph's weight grows over this from its silhouette's border inwards", texture,
+      &options.FeatherPx, TextureParameters::FeatherPx)),
+    OfView(ParameterOption("occlusionSoftness", "softness of the occlusion test; 0 = hard", texture,
+      &options.OcclusionSoftness, TextureParameters::OcclusionPx)),
     OfView({ "exposureGains", "bring the photographs to one exposure; needs the depth maps", "",
       texture, &options.ExposureGains }),
-    OfView({ "rimSamples", "subsamples per pixel side at the rim, odd; 1 = no antialiasing", "",
-      texture, &options.RimSamples, 1, 9 }),
-    OfView({ "softRim", "draw also pixels of which less than half is covered; for films", "",
-      texture, &options.SoftRim }),
+    Formerly("rimSamples",
+      OfView(ParameterOption("boundarySamples",
+        "subsamples per pixel side at the silhouette boundary; even numbers are raised by one; 1 = "
+        "no antialiasing",
+        texture, &options.BoundarySamples, TextureParameters::BoundarySamples))),
+    Formerly("softRim",
+      OfView({ "softBoundary", "draw also pixels of which less than half is covered; for films", "",
+        texture, &options.SoftBoundary })),
   };
 }
 }

@@ -2,7 +2,12 @@
 #ifndef novelview_SynthesisOptions_h
 #define novelview_SynthesisOptions_h
 
+#include "deformation/DeformationParameters.h"
+#include "fusion/FusionParameters.h"
+#include "geometry/VisibilityParameters.h"
+#include "hull/VisualHullParameters.h"
 #include "options/Options.h"
+#include "texture/TextureParameters.h"
 
 #include <array>
 #include <filesystem>
@@ -22,7 +27,10 @@ enum class Stage
 /** "hull", "outline" or "full". */
 std::string StageName(Stage stage);
 
-/** Every knob of the method. Lengths in pixels are pixels of the photographs or the novel view. */
+/**
+ * Every option of the method. Lengths in pixels are pixels of the photographs or the novel view.
+ * Defaults are the paper's, and those of the kernels and filters.
+ */
 struct SynthesisOptions
 {
   /** "best" or "paper": which defaults the other members start from, see PresetOptions(). */
@@ -35,37 +43,55 @@ struct SynthesisOptions
   bool ReconcileSilhouettes = false; ///< enlarge those that are too small for all the others
 
   // ---- hull
-  double HullSpacingPx = 2.0;                   ///< sample spacing, input pixels
-  std::optional<std::array<double, 6>> HullBox; ///< x0 y0 z0 x1 y1 z1; found when not given
-  bool HullKeepAll = false;                     ///< keep every component, not only the largest
+  /** Sample spacing, input pixels. */
+  double HullSpacingPx = VisualHullParameters::SpacingPx.Default;
+  /** x0 y0 z0 x1 y1 z1; found when not given. */
+  std::optional<std::array<double, 6>> HullBox;
+  /** Keep every component, not only the largest. */
+  bool HullKeepAll = VisualHullParameters::KeepAllComponents;
 
   // ---- visibility culler
-  double LongestEdgePx = 0; ///< cut longer edges of what the camera sees at their middle; 0 = none
+  /** Cut longer edges of what the camera sees at their middle; 0 = none. */
+  double LongestEdgePx = VisibilityParameters::LongestEdgePx.Default;
 
   // ---- outline deformer
-  int OutlineIterations = 10;
-  double OutlineAlpha = 0.3; ///< weight of the contour energy
-  double OutlineBeta = 0.3;  ///< weight of the smoothness energy
-  double OutlineSearchPx = 4.0;
+  int OutlineIterations = DeformationParameters::Iterations.Default;
+  /** Weight of the contour energy. */
+  double OutlineAlpha = OutlineParameters::Alpha.Default;
+  /** Weight of the smoothness energy. */
+  double OutlineBeta = OutlineParameters::Beta.Default;
+  double OutlineSearchPx = OutlineParameters::SearchPx.Default;
 
   // ---- non-outline deformer
-  int NonOutlineIterations = 10;
-  double NonOutlineAlpha = 0.3; ///< weight of the smoothness energy
+  int NonOutlineIterations = DeformationParameters::Iterations.Default;
+  /** Weight of the smoothness energy. */
+  double NonOutlineAlpha = NonOutlineParameters::Alpha.Default;
 
   // ---- depth maps of the photographs
-  bool UseDepthMaps = false;      ///< estimate them, and let deformers and mapper use them
-  double SilhouettePrior = 0;     ///< weight of "object" when they decide the outline; 0 = found
-  double DepthNoise = 0;          ///< by how much they are off, pixel footprints; 0 = measured
-  bool ContourPrediction = false; ///< refine the outline by the photographs' contours
+  /** Estimate them, and let deformers and mapper use them. */
+  bool UseDepthMaps = TextureParameters::UseDepthMaps;
+  /** Weight of "object" when they decide the outline; 0 = found. */
+  double SilhouettePrior = FusionParameters::SilhouettePrior.Default;
+  /** By how much they are off, pixel footprints; 0 = measured. */
+  double DepthNoise = FusionParameters::DepthNoise.Default;
+  /** Refine the outline by the photographs' contours. */
+  bool ContourPrediction = FusionParameters::UsePrediction;
 
   // ---- texture mapper
-  int References = 3;           ///< photographs blended per pixel
-  double Power = 8.0;           ///< m of the weight W^m
-  double FeatherPx = 2.0;       ///< a photograph's weight grows over this from its contour inwards
-  double OcclusionSoftness = 0; ///< pixel footprints; 0 = hard
-  bool ExposureGains = false;   ///< bring the photographs to one exposure; needs depth maps
-  int RimSamples = 1;           ///< subsamples per pixel side at the rim; 1 = no antialiasing
-  bool SoftRim = false;         ///< also draw pixels of which less than half is covered; for films
+  /** Photographs blended per pixel. */
+  int References = TextureParameters::References.Default;
+  /** m of the weight W^m. */
+  double Power = TextureParameters::Power.Default;
+  /** A photograph's weight grows over this from its contour inwards. */
+  double FeatherPx = TextureParameters::FeatherPx.Default;
+  /** Pixel footprints; 0 = hard. */
+  double OcclusionSoftness = TextureParameters::OcclusionPx.Default;
+  /** Bring the photographs to one exposure; needs depth maps. */
+  bool ExposureGains = TextureParameters::UseGains;
+  /** Subsamples per pixel side at the silhouette boundary; 1 = no antialiasing. */
+  int BoundarySamples = TextureParameters::BoundarySamples.Default;
+  /** Also draw pixels of which less than half is covered; for films. */
+  bool SoftBoundary = TextureParameters::SoftBoundary;
 };
 
 /** The defaults of a preset; throws Error on an unknown name. */

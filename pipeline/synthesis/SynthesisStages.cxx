@@ -96,8 +96,8 @@ void SynthesisStages::SetMapperOptions(const SynthesisOptions& options)
   this->Mapper->SetUseExposureGains(options.ExposureGains);
   this->Mapper->SetFeatherWidth(options.FeatherPx);
   this->Mapper->SetOcclusionSoftness(options.OcclusionSoftness);
-  this->Mapper->SetRimSamples(options.RimSamples);
-  this->Mapper->SetSoftRim(options.SoftRim);
+  this->Mapper->SetBoundarySamples(options.BoundarySamples);
+  this->Mapper->SetSoftBoundary(options.SoftBoundary);
   this->Mapper->SetReferences(options.References);
   this->Mapper->SetPower(options.Power);
 }

@@ -23,8 +23,8 @@ class vtkNovelViewSynthesiser::Internals
 {
 public:
   /** The options after a change; throws and leaves them alone when that cannot be made. */
-  static novelview::SynthesisOptions Changed(
-    novelview::SynthesisOptions options, const std::string& json)
+  static novelview::SynthesisOptions Changed(novelview::SynthesisOptions options,
+    const std::string& json, const novelview::OptionWarning& warn)
   {
     const char* const where = "options";
     const auto object = novelview::ParseJson(json, where);
@@ -36,7 +36,7 @@ public:
     {
       options = novelview::PresetOptions(preset->get<std::string>());
     }
-    novelview::SetFromJson(novelview::OptionsOf(options), object, {}, where);
+    novelview::SetFromJson(novelview::OptionsOf(options), object, {}, where, warn);
     return options;
   }
 
@@ -126,7 +126,8 @@ bool vtkNovelViewSynthesiser::SetOptions(const char* json)
 {
   try
   {
-    this->Impl->SetOptions(Internals::Changed(this->Impl->Options, json ? json : ""));
+    const auto warn = [this](const std::string& text) { vtkWarningMacro(<< text); };
+    this->Impl->SetOptions(Internals::Changed(this->Impl->Options, json ? json : "", warn));
     this->Modified();
     return true;
   }

@@ -76,8 +76,8 @@ public:
   /**
    * The options by the names of job files, as a JSON object: `{"references": 3, "depthMaps": false}`.
    * Those not named stay as they are; "preset" comes first. An unknown name, a wrong type or a value
-   * out of range is an error (ErrorEvent) that changes nothing; then false is returned. The getter
-   * gives all of them with their values.
+   * out of range is an error (ErrorEvent) that changes nothing; then false is returned. A name of an
+   * earlier version is a WarningEvent that says the present one. The getter gives all of them with their values.
    */
   bool SetOptions(const char* json);
   std::string GetOptions();

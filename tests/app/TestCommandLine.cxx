@@ -47,14 +47,17 @@ Outcome Parse(std::vector<const char*> words, const std::function<void()>& inRun
     std::find_if(commands.begin(), commands.end(),
       [&name](const Command& command) { return command.Name == name; })
       ->Run = [run](const std::filesystem::path& dataset, const ParsedArguments& given,
-                CommandContext&) { return run(dataset, given); };
+                CommandContext& context) {
+      return run(dataset, given, [&context](const std::string& text) { context.Out.Warn(text); });
+    };
   };
   const auto note = [&replace](const std::string& name, auto make, auto& noted)
   {
     replace(name,
-      [make, &noted](const std::filesystem::path& dataset, const ParsedArguments& given)
+      [make, &noted](const std::filesystem::path& dataset, const ParsedArguments& given,
+        const OptionWarning& warn)
       {
-        noted = make(dataset, given);
+        noted = make(dataset, given, warn);
         return ExitCode::Ok;
       });
   };
@@ -65,9 +68,10 @@ Outcome Parse(std::vector<const char*> words, const std::function<void()>& inRun
   note("convert", MakeConvertOptions, outcome.Converted);
   note("mask", MakeMaskOptions, outcome.Masked);
   replace("run",
-    [&](const std::filesystem::path& dataset, const ParsedArguments& given)
+    [&](
+      const std::filesystem::path& dataset, const ParsedArguments& given, const OptionWarning& warn)
     {
-      outcome.Ran = MakeRunOptions(dataset, given);
+      outcome.Ran = MakeRunOptions(dataset, given, warn);
       if (inRun)
       {
         inRun();
@@ -75,9 +79,10 @@ Outcome Parse(std::vector<const char*> words, const std::function<void()>& inRun
       return ExitCode::Ok;
     });
   replace("check",
-    [&](const std::filesystem::path& dataset, const ParsedArguments& given)
+    [&](
+      const std::filesystem::path& dataset, const ParsedArguments& given, const OptionWarning& warn)
     {
-      outcome.Checked = MakeCheckOptions(dataset, given);
+      outcome.Checked = MakeCheckOptions(dataset, given, warn);
       // something that can be either
       return outcome.Checked->Input.Exclude.empty() ? ExitCode::Ok : ExitCode::Problems;
     });
@@ -177,14 +182,49 @@ TEST(CommandLine, OrbitStartsFromAFilmsDefaults)
   EXPECT_EQ(outcome.Filmed->Fps, 25);
   EXPECT_EQ(outcome.Filmed->FramesDir, "pictures");
   EXPECT_EQ(outcome.Filmed->Synthesis.Power, PresetOptions("paper").Power);
-  EXPECT_TRUE(outcome.Filmed->Synthesis.SoftRim);
-  EXPECT_EQ(outcome.Filmed->Synthesis.RimSamples, 5);
+  EXPECT_TRUE(outcome.Filmed->Synthesis.SoftBoundary);
+  EXPECT_EQ(outcome.Filmed->Synthesis.BoundarySamples, 5);
   const Outcome told =
-    Parse({ "orbit", "bunny", "--out", "film", "--no-soft-rim", "--rim-samples", "1" });
+    Parse({ "orbit", "bunny", "--out", "film", "--no-soft-boundary", "--boundary-samples", "1" });
   ASSERT_TRUE(told.Filmed) << told.Err;
-  EXPECT_FALSE(told.Filmed->Synthesis.SoftRim);
-  EXPECT_EQ(told.Filmed->Synthesis.RimSamples, 1);
-  EXPECT_FALSE(PresetOptions("best").SoftRim); // a single view's picture stays as it is
+  EXPECT_FALSE(told.Filmed->Synthesis.SoftBoundary);
+  EXPECT_EQ(told.Filmed->Synthesis.BoundarySamples, 1);
+  EXPECT_FALSE(PresetOptions("best").SoftBoundary); // a single view's picture stays as it is
+}
+
+TEST(CommandLine, FormerNamesOfOptionsWorkWithAWarningEach)
+{
+  const Outcome outcome =
+    Parse({ "orbit", "bunny", "--out", "film", "--no-soft-rim", "--rim-samples", "7", "--quiet" });
+  ASSERT_TRUE(outcome.Filmed) << outcome.Err;
+  EXPECT_EQ(outcome.Code, 0);
+  EXPECT_FALSE(outcome.Filmed->Synthesis.SoftBoundary);
+  EXPECT_EQ(outcome.Filmed->Synthesis.BoundarySamples, 7);
+  EXPECT_THAT(outcome.Err, HasSubstr("warning: --rim-samples is now --boundary-samples\n"));
+  EXPECT_THAT(outcome.Err, HasSubstr("warning: --soft-rim is now --soft-boundary\n"));
+  EXPECT_EQ(std::count(outcome.Err.begin(), outcome.Err.end(), '\n'), 2) << outcome.Err;
+  EXPECT_THAT(Parse({ "orbit", "--help" }).Out,
+    testing::Not(testing::AnyOf(HasSubstr("--rim-samples"), HasSubstr("--soft-rim"))));
+  ExpectUsageError({ "orbit", "d", "--out", "o", "--rim-samples", "3", "--boundary-samples", "5" },
+    "--rim-samples: is now --boundary-samples, which is given, too");
+  ExpectUsageError({ "orbit", "d", "--out", "o", "--rim-samples", "x" },
+    "--boundary-samples: is no whole number (got 'x'");
+  ExpectUsageError({ "orbit", "d", "--out", "o", "--rim-sample", "3" }, "unknown option");
+}
+
+TEST(CommandLine, FormerKeysInAJobFileWorkWithAWarning)
+{
+  const TemporaryFolder folder;
+  const std::string job = (folder / "job.json").string();
+  WriteText(job, R"({"dataset": "d", "view": "like:a", "out": "o", "rimSamples": 7})");
+  const Outcome outcome = Parse({ "run", job.c_str() });
+  ASSERT_TRUE(outcome.Ran) << outcome.Err;
+  EXPECT_EQ(outcome.Ran->Synthesis.BoundarySamples, 7);
+  EXPECT_THAT(outcome.Err, HasSubstr("job.json, key \"rimSamples\" is now \"boundarySamples\"\n"));
+  EXPECT_EQ(std::count(outcome.Err.begin(), outcome.Err.end(), '\n'), 1) << outcome.Err;
+  WriteText(job,
+    R"({"dataset": "d", "view": "like:a", "out": "o", "rimSamples": 7, "boundarySamples": 3})");
+  ExpectUsageError({ "run", job.c_str() }, "is now \"boundarySamples\", which is there, too");
 }
 
 TEST(CommandLine, ConvertIsGivenItsOptions)
@@ -274,18 +314,66 @@ TEST(CommandLine, TimingsAreWrittenWhenTheCommandHasSucceeded)
   EXPECT_THAT(ReadText(file), HasSubstr("\"stages\""));
 }
 
-TEST(CommandLine, HelpTellsEveryOptionWithDefaultAndUnit)
+namespace
+{
+/** The part of a help that is about an option: from its flag to the next one. */
+std::string HelpOf(const std::string& help, const std::string& flag)
+{
+  for (const char* const after : { " ", "," })
+  {
+    const std::size_t begin = help.find("\n  " + flag + after);
+    if (begin != std::string::npos)
+    {
+      return help.substr(
+        begin, std::min(help.find("\n  -", begin + 1), help.find("\n\n", begin)) - begin);
+    }
+  }
+  return "";
+}
+
+/** "unit; range; default: value" as far as there is one. */
+std::string FactsOf(const Option& option)
+{
+  std::string facts = option.Unit;
+  for (const std::string& fact : { RangeText(option),
+         "default: " + (ValueText(option).empty() ? std::string("none") : ValueText(option)) })
+  {
+    facts += (facts.empty() || fact.empty() ? "" : "; ") + fact;
+  }
+  return facts;
+}
+}
+
+TEST(CommandLine, HelpOfEveryCommandTellsEveryOptionWithUnitRangeAndDefault)
+{
+  const std::string all = Parse({ "--help" }).Out;
+  for (const Command& command : CommandTable())
+  {
+    EXPECT_THAT(all, HasSubstr("\n  " + command.Name + " "));
+    const Outcome help = Parse({ command.Name.c_str(), "--help" });
+    EXPECT_EQ(help.Code, 0);
+    command.ShowOptions(
+      [&](const OptionTable& table)
+      {
+        for (const Option& option : table)
+        {
+          SCOPED_TRACE(command.Name + " " + option.Key);
+          if (option.Key == "dataset")
+          {
+            EXPECT_THAT(HelpOf(help.Out, "dataset"), HasSubstr(command.DatasetHelp));
+            continue;
+          }
+          const std::string flag = option.Positional ? option.Key : FlagOf(option.Key);
+          EXPECT_THAT(
+            HelpOf(help.Out, flag), HasSubstr(option.Help + " (" + FactsOf(option) + ")"));
+        }
+      });
+  }
+}
+
+TEST(CommandLine, HelpSaysWhatItSaid)
 {
   const Outcome help = Parse({ "run", "--help" });
-  EXPECT_EQ(help.Code, 0);
-  RunOptions job;
-  job.Synthesis = PresetOptions("best");
-  for (const Option& option : OptionsOf(job))
-  {
-    EXPECT_THAT(help.Out, HasSubstr(option.Key == "dataset" ? "DATASET" : FlagOf(option.Key)));
-    EXPECT_THAT(help.Out, HasSubstr(option.Unit));
-  }
-  EXPECT_THAT(help.Out, HasSubstr("default: " + ValueText(OptionsOf(job)[0]).append("none")));
   EXPECT_THAT(help.Out, HasSubstr("(px; 0.25 to 64; default: "));
   EXPECT_THAT(
     Parse({ "generate", "--help" }).Out, HasSubstr("(px; 16 to 16384; default: 640x480)"));

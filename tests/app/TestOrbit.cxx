@@ -57,8 +57,8 @@ TEST_F(Orbit, FilmsOnceRoundTheCamerasRing)
   EXPECT_TRUE(HalfWritten(Out("")).empty());
   // A frame is what `render` gives with a film's options, and a folder gets the same frames.
   MustRun(Words("render", "rendered",
-    { "--cameras", (frames / "frames_par.txt").string(), "--stage", "hull", "--soft-rim",
-      "--rim-samples", "5" }));
+    { "--cameras", (frames / "frames_par.txt").string(), "--stage", "hull", "--soft-boundary",
+      "--boundary-samples", "5" }));
   fs::remove(frames / "frames_par.txt");
   ExpectSameFiles(frames, Out("rendered"));
   MustRun(Words("orbit", "folder", { "--frames", "6", "--stage", "hull" }));
@@ -83,8 +83,8 @@ TEST_F(Orbit, GoesThroughKeyCamerasFromAJobFile)
 TEST_F(Orbit, IsSteadyFromFrameToFrame)
 {
   MustRun(Words("render", "slow",
-    { "--cameras", (Bunny->Data() / "test/test_par.txt").string(), "--soft-rim", "--rim-samples",
-      "5" }));
+    { "--cameras", (Bunny->Data() / "test/test_par.txt").string(), "--soft-boundary",
+      "--boundary-samples", "5" }));
   const fs::path script = fs::path(NOVELVIEW_SOURCE_DIR) / "tests" / "steadiness.py";
   const auto measure = [&](const fs::path& film)
   {

@@ -20,6 +20,10 @@ FILTERS = [
     "vtkViewDependentTextureMapper",
     "vtkReferenceDepthEstimator",
     "vtkSilhouetteReconciler",
+    "vtkTextureAtlasGenerator",
+    "vtkTsdfNonOutlineDeformer",
+    "vtkTsdfOutlineDeformer",
+    "vtkWholeObjectRefiner",
     "vtkSilhouetteFilter",
     "vtkViewsReader",
     "vtkNovelViewSynthesiser",
@@ -64,6 +68,8 @@ class Classes(unittest.TestCase):
             "vtkPowerCrustMesher": (1, 2),
             "vtkOutlineDeformer": (2, 1),
             "vtkViewDependentTextureMapper": (3, 1),
+            "vtkTextureAtlasGenerator": (2, 3),
+            "vtkWholeObjectRefiner": (2, 1),
             "vtkNovelViewSynthesiser": (1, 2),
             "vtkViewsReader": (0, 1),
         }
@@ -210,6 +216,11 @@ class Errors(unittest.TestCase):
             novelview.synthesise(disc_views(), camera, references=0)
         with self.assertRaisesRegex(novelview.Error, "stage: unknown"):
             novelview.synthesise(disc_views(), camera, stage="crust")
+
+    def test_a_former_name_of_an_option_works_with_a_warning(self):
+        with self.assertWarnsRegex(UserWarning, '"rimSamples" is now "boundarySamples"'):
+            chain = novelview.Synthesiser(disc_views(), rim_samples=5)
+        self.assertIn('"boundarySamples":5', chain.filter.GetOptions().replace(" ", ""))
 
     def test_what_a_user_should_know_of_a_silhouette_is_a_warning(self):
         items = disc_views()

@@ -297,17 +297,17 @@ std::vector<Vector3d> Updated(vtkViewDeformer* deformer)
 }
 }
 
-TEST(TsdfOutlineDeformer, ContourPredictionIsOnUntilSwitchedOff)
+TEST(TsdfOutlineDeformer, ContourPredictionIsOffUntilSwitchedOn)
 {
   const MappedCase mapped;
   const auto deformer = mapped.With<vtkTsdfOutlineDeformer>();
-  const auto with = Updated(deformer);
-  EXPECT_EQ(with, OutlineOf(mapped, OptionsForNoise(0)));
-  deformer->UseContourPredictionOff();
-  TsdfDeformationOptions off = OptionsForNoise(0);
-  off.Silhouette.PredictionWeight = 0;
   const auto without = Updated(deformer);
-  EXPECT_EQ(without, OutlineOf(mapped, off));
+  EXPECT_EQ(without, OutlineOf(mapped, OptionsForNoise(0)));
+  deformer->UseContourPredictionOn();
+  TsdfDeformationOptions on = OptionsForNoise(0);
+  on.Silhouette.UsePrediction = true;
+  const auto with = Updated(deformer);
+  EXPECT_EQ(with, OutlineOf(mapped, on));
   EXPECT_NE(without, with);
 }
 

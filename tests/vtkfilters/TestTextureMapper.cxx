@@ -56,14 +56,14 @@ TEST(TextureMapper, GivesTheKernelsPictureTheRightWayUp)
   mapper->SetPower(3);
   mapper->SetFeatherWidth(1);
   mapper->SetOcclusionSoftness(4);
-  mapper->SetRimSamples(2); // raised to 3
+  mapper->SetBoundarySamples(2); // raised to 3
   mapper->Update();
   TextureOptions options;
   options.References = 2;
   options.Power = 3;
   options.FeatherPx = 1;
   options.OcclusionPx = 4;
-  options.RimSamples = 3;
+  options.BoundarySamples = 3;
   const auto expected =
     TextureView(plane.Mesh, nullptr, ViewsOf(plane.Photos), plane.Novel, options);
   vtkImageData* output = mapper->GetOutput();
@@ -184,5 +184,5 @@ TEST(TextureMapper, PrintsEveryMember)
 {
   ExpectPrints(TheCase().Mapper(),
     { "Camera", "References", "Power", "FeatherWidth", "OcclusionSoftness", "UseDepthMaps",
-      "UseExposureGains", "RimSamples" });
+      "UseExposureGains", "BoundarySamples" });
 }

@@ -168,5 +168,6 @@ TEST(TsdfDeformation, OptionsForSharpMapsAreTheDefaults)
   EXPECT_EQ(sharp.Outline.TruncationPx, plain.Outline.TruncationPx);
   EXPECT_EQ(sharp.Outline.SilhouettePrior, plain.Outline.SilhouettePrior);
   EXPECT_EQ(sharp.Silhouette.SmoothingPx, plain.Silhouette.SmoothingPx);
+  EXPECT_EQ(sharp.Silhouette.UsePrediction, plain.Silhouette.UsePrediction);
   EXPECT_EQ(sharp.Silhouette.PredictionWeight, plain.Silhouette.PredictionWeight);
 }

@@ -24,8 +24,15 @@ Image<float> SilhouetteOf(const TriangleMesh& mesh, const std::vector<View>& vie
 FusedSilhouetteOptions WithoutPrediction(double smoothingPx = 0)
 {
   FusedSilhouetteOptions options;
-  options.PredictionWeight = 0;
+  options.UsePrediction = false;
   options.SmoothingPx = smoothingPx;
+  return options;
+}
+
+FusedSilhouetteOptions WithPrediction()
+{
+  FusedSilhouetteOptions options;
+  options.UsePrediction = true;
   return options;
 }
 
@@ -108,7 +115,7 @@ TEST(FusedSilhouette, WithTrueMapsTheContourIsRightToATenthOfAPixel)
 {
   const DentCase& dent = TheDent();
   const Image<float> truth = TrueContour();
-  for (const auto& options : { FusedSilhouetteOptions(), WithoutPrediction() })
+  for (const auto& options : { WithPrediction(), WithoutPrediction() })
   {
     const auto apart = Apart(SilhouetteOf(dent.Mesh, dent.Views, dent.Novel, options), truth);
     ASSERT_GT(apart.size(), 400u); // 2 pi 50 pixels of contour, two pixels wide
@@ -124,7 +131,7 @@ TEST(FusedSilhouette, WithTrueMapsTheContourIsRightToATenthOfAPixel)
 TEST(FusedSilhouette, PlanesWithLittleTiltMakeItRightToAQuarterPixelAllAround)
 {
   const DentCase& dent = TheDent();
-  FusedSilhouetteOptions upright;
+  FusedSilhouetteOptions upright = WithPrediction();
   upright.Prediction.MaxTilt = 0.1; // a quarter of the error that 0.2 lets pass: below 0.1 pixels
   const auto apart = Apart(SilhouetteOf(dent.Mesh, dent.Views, dent.Novel, upright), TrueContour());
   EXPECT_LT(Largest(apart), 0.25); // that of the maps, of which the prediction leaves 1 / 11
@@ -139,10 +146,10 @@ TEST(FusedSilhouette, ThePredictionMakesUpForNoisyMaps)
     const NoisyViews noisy(sigmaPx);
     return RootMeanSquare(Apart(SilhouetteOf(dent.Mesh, noisy.Views, dent.Novel, options), truth));
   };
-  EXPECT_LT(error(1.5, {}), error(1.5, WithoutPrediction()));
+  EXPECT_LT(error(1.5, WithPrediction()), error(1.5, WithoutPrediction()));
   // It has no part in the noise; but where the field is off by more than the gate of a pixel, it is
   // not believed, which leaves some of the error.
-  EXPECT_LT(error(3, {}), 0.6 * error(3, WithoutPrediction()));
+  EXPECT_LT(error(3, WithPrediction()), 0.6 * error(3, WithoutPrediction()));
 }
 
 TEST(FusedSilhouette, SmoothingKeepsAStraightContourInPlace)
@@ -185,7 +192,7 @@ TEST(FusedSilhouette, SmoothingKeepsAStraightContourInPlace)
 TEST(FusedSilhouette, SameBitsWithOneAndMoreThreads)
 {
   const DentCase& dent = TheDent();
-  FusedSilhouetteOptions options;
+  FusedSilhouetteOptions options = WithPrediction();
   options.SmoothingPx = 0.5;
   EXPECT_EQ(SilhouetteOf(dent.Mesh, dent.Views, dent.Novel, options).Values,
     SilhouetteOf(dent.Mesh, dent.Views, dent.Novel, options, InThreads(3)).Values);

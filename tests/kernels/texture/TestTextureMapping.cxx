@@ -46,7 +46,7 @@ constexpr double InterpolationLevels = 2.0;
 constexpr double LongWaves = 0.4;
 
 /** A plate from column 28.9 to 129.7. Sub-columns stand at -0.4, -0.2, 0, 0.2, 0.4 of a pixel. */
-TexturedView RimPlate(bool softRim = false)
+TexturedView RimPlate(bool softBoundary = false)
 {
   TriangleMesh mesh = RectangleMesh(1, 0.3);
   for (Vector3d& point : mesh.Points)
@@ -55,8 +55,8 @@ TexturedView RimPlate(bool softRim = false)
   }
   const auto photos = TakeAll(Rectangle(2, 2), Plain(200, 200, 200), { OnRing(0), OnRing(20) });
   TextureOptions options;
-  options.RimSamples = 5;
-  options.SoftRim = softRim;
+  options.BoundarySamples = 5;
+  options.SoftBoundary = softBoundary;
   return TextureView(mesh, nullptr, ViewsOf(photos), OnRing(0), options);
 }
 }
@@ -269,7 +269,7 @@ TEST(TextureMapping, RimPixelsAreWeighedByTheirCoverage)
   EXPECT_EQ(picture.Color(100, 60, 0), 200);
 }
 
-TEST(TextureMapping, ASoftRimKeepsWhatIsCoveredByLessThanHalf)
+TEST(TextureMapping, ASoftBoundaryKeepsWhatIsCoveredByLessThanHalf)
 {
   // The plate's right edge covers one of five sub-columns of column 130.
   const auto hard = RimPlate();
@@ -293,7 +293,7 @@ TEST(TextureMapping, SameBitsWithOneAndMoreThreads)
 {
   const PlateCase plate;
   TextureOptions options;
-  options.RimSamples = 3;
+  options.BoundarySamples = 3;
   const auto one = TextureView(plate.Wall, &plate.Plate, plate.Views, plate.Novel, options);
   const auto three =
     TextureView(plate.Wall, &plate.Plate, plate.Views, plate.Novel, options, InThreads(3));

@@ -5,10 +5,10 @@
 #include "commands/EvaluateOptions.h"
 #include "commands/RenderOptions.h"
 #include "commands/RunOptions.h"
-#include "generator/Generator.h"
-#include "options/NearestWord.h"
 #include "formats/Middlebury.h"
+#include "generator/Generator.h"
 #include "images/ImageFile.h"
+#include "options/NearestWord.h"
 #include "support/TestSupport.h"
 
 #include <set>
@@ -65,6 +65,10 @@ TEST(Options, KeysAndFlagsAreUniqueAndExplained)
     for (const Option& option : table)
     {
       EXPECT_TRUE(flags.insert(FlagOf(option.Key)).second) << option.Key;
+      for (const std::string& former : option.FormerKeys)
+      {
+        EXPECT_TRUE(flags.insert(FlagOf(former)).second) << former;
+      }
       EXPECT_FALSE(option.Help.empty()) << option.Key;
       EXPECT_FALSE(option.Group.empty()) << option.Key;
       EXPECT_LE(option.Min, option.Max) << option.Key;

@@ -371,15 +371,22 @@ TEST_F(Generator, RefusesWrongOptions)
   };
   using Options = GeneratorOptions;
   EXPECT_THAT(message([](Options& o) { o.Texture = "woood"; }),
-    HasSubstr("no such texture (got \"woood\", expected wood, marble, checker, plaster, grey)"));
-  EXPECT_THAT(message([](Options& o) { o.Masks = "some"; }), HasSubstr("no such kind of masks"));
-  EXPECT_THAT(message([](Options& o) { o.Views = 0; }), HasSubstr("number of views"));
-  EXPECT_THAT(message([](Options& o) { o.Width = -3; }), HasSubstr("width in pixels"));
-  EXPECT_THAT(message([](Options& o) { o.ElevationDeg = 90; }), HasSubstr("elevation"));
-  EXPECT_THAT(message([](Options& o) { o.NoiseSigma = std::nan(""); }), HasSubstr("noise sigma"));
+    HasSubstr("generate, texture: is no such choice (got 'woood', expected wood, marble, checker, "
+              "plaster, grey)"));
+  EXPECT_THAT(message([](Options& o) { o.Masks = "some"; }),
+    HasSubstr("masks: is no such choice (got 'some'"));
+  EXPECT_THAT(message([](Options& o) { o.Views = 0; }),
+    HasSubstr("views: is out of range (got 0, expected 1 to 10000)"));
+  EXPECT_THAT(message([](Options& o) { o.Width = -3; }),
+    HasSubstr("size: is out of range (got -3, expected 16 to 16384)"));
+  EXPECT_THAT(message([](Options& o) { o.ElevationDeg = 90; }),
+    HasSubstr("elevation: is out of range (got 90, expected -89 to 89)"));
+  EXPECT_THAT(
+    message([](Options& o) { o.NoiseSigma = std::nan(""); }), HasSubstr("noise: is out of range"));
   EXPECT_THAT(message([](Options& o) { o.ShadowViews = { 2 }; }),
     HasSubstr("view of the shadow is out of range (got 2, expected 0 to 1)"));
-  EXPECT_THAT(message([](Options& o) { o.TestAnglesDeg = { INFINITY }; }), HasSubstr("test angle"));
+  EXPECT_THAT(message([](Options& o) { o.TestAnglesDeg = { INFINITY }; }),
+    HasSubstr("testAngles: is not finite (got inf"));
 }
 
 TEST_F(Generator, SaysThatTheFolderCannotBeWritten)

@@ -31,7 +31,6 @@
 
 using namespace novelview;
 using namespace novelview::testing_support;
-using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 namespace
@@ -44,8 +43,8 @@ protected:
   {
     Photos = support::TakeAll(Scene(), Colours(), support::Ring(12, 30));
     Views = support::ToBlocks(Photos);
-    Made = MakeTexturedModel(
-      support::SphereMesh(Vector3d::Zero(), 0.5, 5), Views, PresetOptions("best"), 1024);
+    Made = MakeTexturedModel(support::ToPolyData(support::SphereMesh(Vector3d::Zero(), 0.5, 5)),
+      Views, PresetOptions("best"), 1024);
   }
   static void TearDownTestSuite()
   {
@@ -201,12 +200,11 @@ TEST_F(ModelFile, GlbFollowsTheSpecification)
   };
   for (const auto& [name, accessorId] : primitive.at("attributes").items())
   {
-    EXPECT_EQ(check(accessorId, 34962).at("count"), Made.Atlas.Mesh.Points.size()) << name;
+    EXPECT_EQ(check(accessorId, 34962).at("count"), Made.Atlas->GetNumberOfPoints()) << name;
   }
   EXPECT_FALSE(primitive.at("attributes").contains("COLOR_0"))
     << "it would be multiplied with the texture";
-  EXPECT_EQ(
-    check(primitive.at("indices"), 34963).at("count"), 3 * Made.Atlas.Mesh.Triangles.size());
+  EXPECT_EQ(check(primitive.at("indices"), 34963).at("count"), 3 * Made.Atlas->GetNumberOfPolys());
   const auto& image = glb.Json.at("images")[0];
   const auto& pixels = glb.Json.at("bufferViews")[image.at("bufferView").get<int>()];
   EXPECT_FALSE(pixels.contains("target")) << "a picture is no vertex buffer";
@@ -242,31 +240,35 @@ TEST_F(ModelFile, GlbNodeTurnsUpToYAndKeepsTheDataSetsPlace)
   TexturedModel model = Made;
   const Vector3d far(1000, -2000, 500);
   model.Up = Vector3d(0, 0, 1);
-  for (Vector3d& point : model.Atlas.Mesh.Points)
+  TriangleMesh moved = ToTriangleMesh(model.Atlas, "test");
+  for (Vector3d& point : moved.Points)
   {
     point += far;
   }
+  model.Atlas = vtkSmartPointer<vtkPolyData>::New();
+  model.Atlas->ShallowCopy(Made.Atlas);
+  FromTriangleMesh(moved, model.Atlas);
   const auto node = ChunksOf(GlbOf(model)).Json.at("nodes")[0];
   const auto r = node.at("rotation");
   const Eigen::Quaterniond turn(
     r[3].get<double>(), r[0].get<double>(), r[1].get<double>(), r[2].get<double>());
   EXPECT_LT((turn * model.Up - Vector3d::UnitY()).norm(), 1e-12);
   const auto t = node.at("translation");
-  const Vector3d moved(t[0].get<double>(), t[1].get<double>(), t[2].get<double>());
+  const Vector3d translation(t[0].get<double>(), t[1].get<double>(), t[2].get<double>());
   // The ball's box has its middle at `far`, to the rounding of its points.
-  EXPECT_LT((turn.inverse() * moved - far).norm(), 1e-9);
+  EXPECT_LT((turn.inverse() * translation - far).norm(), 1e-9);
 }
 
 TEST_F(ModelFile, GlbReadBackLooksLikeTheObjectFromACameraThatTookNoPhotograph)
 {
   const ReadBack model = ReadGlb(this->Written("model.glb"));
   ASSERT_NE(model.Mesh, nullptr);
-  EXPECT_EQ(model.Mesh->GetNumberOfCells(), static_cast<vtkIdType>(Made.Mesh.Triangles.size()));
+  EXPECT_EQ(model.Mesh->GetNumberOfCells(), Made.Mesh->GetNumberOfPolys());
   EXPECT_NE(model.Mesh->GetPointData()->GetTCoords(), nullptr);
   int size[3];
   model.Texture->GetDimensions(size);
-  EXPECT_EQ(size[0], Made.Atlas.Picture.Width);
-  EXPECT_EQ(size[1], Made.Atlas.Picture.Height);
+  EXPECT_EQ(size[0], Made.Texture->GetDimensions()[0]);
+  EXPECT_EQ(size[1], Made.Texture->GetDimensions()[1]);
 
   const Camera camera = support::OnRing(15);
   const support::Photo truth = support::Take(Scene(), Colours(), camera, "truth");
@@ -293,18 +295,20 @@ TEST_F(ModelFile, PlyKeepsShapeAndColours)
   reader->Update();
   vtkPolyData* poly = reader->GetOutput();
   const TriangleMesh mesh = ToTriangleMesh(poly, "ply");
-  EXPECT_EQ(mesh.Triangles, Made.Mesh.Triangles);
+  const TriangleMesh made = ToTriangleMesh(Made.Mesh, "made");
+  vtkDataArray* madeColours = Made.Mesh->GetPointData()->GetArray(arrays::Color);
+  EXPECT_EQ(mesh.Triangles, made.Triangles);
   vtkDataArray* colours = poly->GetPointData()->GetScalars();
   ASSERT_NE(colours, nullptr);
   ASSERT_EQ(colours->GetNumberOfComponents(), 3);
   for (std::size_t ptId = 0; ptId < mesh.Points.size(); ++ptId)
   {
     // Single precision of numbers up to one.
-    EXPECT_LT((mesh.Points[ptId] - Made.Mesh.Points[ptId]).norm(), 1e-6);
+    EXPECT_LT((mesh.Points[ptId] - made.Points[ptId]).norm(), 1e-6);
     for (int channel = 0; channel < 3; ++channel)
     {
       EXPECT_EQ(colours->GetComponent(static_cast<vtkIdType>(ptId), channel),
-        Made.PointColours[ptId][channel]);
+        madeColours->GetComponent(static_cast<vtkIdType>(ptId), channel));
     }
   }
 }
@@ -318,8 +322,9 @@ TEST_F(ModelFile, VtpKeepsEverything)
   reader->SetFileName(file.c_str());
   reader->Update();
   const TriangleMesh mesh = ToTriangleMesh(reader->GetOutput(), "vtp");
-  EXPECT_EQ(mesh.Triangles, Made.Mesh.Triangles);
-  EXPECT_EQ(mesh.Points, Made.Mesh.Points) << "bit for bit";
+  const TriangleMesh made = ToTriangleMesh(Made.Mesh, "made");
+  EXPECT_EQ(mesh.Triangles, made.Triangles);
+  EXPECT_EQ(mesh.Points, made.Points) << "bit for bit";
   EXPECT_NE(reader->GetOutput()->GetPointData()->GetArray("Color"), nullptr);
   EXPECT_NE(reader->GetOutput()->GetPointData()->GetNormals(), nullptr);
 }
@@ -329,10 +334,8 @@ TEST_F(ModelFile, StlKeepsTheShape)
   vtkNew<vtkSTLReader> reader;
   reader->SetFileName(this->Written("model.stl").c_str());
   reader->Update();
-  EXPECT_EQ(
-    reader->GetOutput()->GetNumberOfCells(), static_cast<vtkIdType>(Made.Mesh.Triangles.size()));
-  EXPECT_EQ(
-    reader->GetOutput()->GetNumberOfPoints(), static_cast<vtkIdType>(Made.Mesh.Points.size()))
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfCells(), Made.Mesh->GetNumberOfPolys());
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), Made.Mesh->GetNumberOfPoints())
     << "STL has every corner thrice; merged again the points are as many as before";
 }
 
@@ -343,21 +346,49 @@ TEST_F(ModelFile, ObjNamesItsMaterialAndTheMaterialItsTexture)
   reader->SetFileName(file.c_str());
   reader->Update();
   const TriangleMesh mesh = ToTriangleMesh(reader->GetOutput(), "obj");
-  ASSERT_EQ(mesh.Triangles.size(), Made.Mesh.Triangles.size());
-  ASSERT_EQ(mesh.Points.size(), Made.Atlas.Mesh.Points.size());
+  const TriangleMesh made = ToTriangleMesh(Made.Atlas, "made");
+  vtkDataArray* madeCoordinates = Made.Atlas->GetPointData()->GetTCoords();
+  ASSERT_EQ(mesh.Triangles.size(), made.Triangles.size());
+  ASSERT_EQ(mesh.Points.size(), made.Points.size());
   vtkDataArray* coordinates = reader->GetOutput()->GetPointData()->GetTCoords();
   ASSERT_NE(coordinates, nullptr);
   for (std::size_t ptId = 0; ptId < mesh.Points.size(); ++ptId)
   {
     // Six digits are written.
-    EXPECT_LT((mesh.Points[ptId] - Made.Atlas.Mesh.Points[ptId]).norm(), 1e-5);
-    const Vector2d& at = Made.Atlas.TexCoords[ptId];
-    EXPECT_NEAR(coordinates->GetComponent(static_cast<vtkIdType>(ptId), 0), at.x(), 1e-5);
-    EXPECT_NEAR(coordinates->GetComponent(static_cast<vtkIdType>(ptId), 1), 1 - at.y(), 1e-5);
+    EXPECT_LT((mesh.Points[ptId] - made.Points[ptId]).norm(), 1e-5);
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      EXPECT_NEAR(coordinates->GetComponent(static_cast<vtkIdType>(ptId), axis),
+        madeCoordinates->GetComponent(static_cast<vtkIdType>(ptId), axis), 1e-5);
+    }
   }
   EXPECT_THAT(ReadText(file), testing::StartsWith("mtllib a model.mtl\nusemtl photographs\n"));
   EXPECT_THAT(ReadText(this->Folder / "a model.mtl"), testing::HasSubstr("map_Kd a model.jpg\n"));
   EXPECT_TRUE(std::filesystem::exists(this->Folder / "a model.jpg"));
+}
+
+TEST_F(ModelFile, TexturingIsAStageThatTellsItsProgressAndCanBeStopped)
+{
+  const auto mesh = support::ToPolyData(support::SphereMesh(Vector3d::Zero(), 0.5, 3));
+  double last = -1;
+  std::string stage;
+  MakeTexturedModel(
+    mesh, Views, PresetOptions("best"), 256,
+    [&last](const std::string&, double fraction)
+    {
+      EXPECT_GE(fraction, last);
+      last = fraction;
+      return true;
+    },
+    [&stage](const std::string& name, double) { stage = name; });
+  EXPECT_EQ(last, 1);
+  EXPECT_EQ(stage, "mesh texture");
+  EXPECT_THROW(MakeTexturedModel(mesh, Views, PresetOptions("best"), 256,
+                 [](const std::string&, double fraction) { return fraction < 0.4; }),
+    Interrupted);
+  support::ExpectError([]
+    { MakeTexturedModel(support::ToPolyData({}), Views, PresetOptions("best"), 256); },
+    "mesh texture: texture atlas: the mesh has no triangles");
 }
 
 TEST(ModelFiles, UnknownKindsAndTwiceTheSameAreErrors)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/CacheScene.h"
+#include "support/ChangedOption.h"
 #include "support/Stop.h"
 
 #include <vtkPointData.h>
@@ -102,33 +103,6 @@ TEST_F(StageCacheTest, EveryOptionOfTheSceneIsInTheKeyAndNoOther)
 {
   const auto entry = [this](const SynthesisOptions& options)
   { return StageCache("c", this->Views, options).Entry(); };
-  const auto change = [](const Option& option)
-  {
-    if (auto* const* flag = std::get_if<bool*>(&option.Target))
-    {
-      **flag = !**flag;
-    }
-    else if (auto* const* number = std::get_if<double*>(&option.Target))
-    {
-      **number += 0.5;
-    }
-    else if (auto* const* count = std::get_if<int*>(&option.Target))
-    {
-      **count += 2;
-    }
-    else if (auto* const* box = std::get_if<std::optional<std::array<double, 6>>*>(&option.Target))
-    {
-      **box = { 0, 0, 0, 1, 1, 1 };
-    }
-    else if (auto* const* path = std::get_if<fs::path*>(&option.Target))
-    {
-      **path = "elsewhere";
-    }
-    else
-    {
-      *std::get<std::string*>(option.Target) = "paper";
-    }
-  };
   SynthesisOptions options = PresetOptions("best");
   const fs::path plain = entry(options);
   const OptionTable table = OptionsOf(options);
@@ -137,7 +111,7 @@ TEST_F(StageCacheTest, EveryOptionOfTheSceneIsInTheKeyAndNoOther)
   for (const Option& option : table)
   {
     const SynthesisOptions before = options;
-    change(option);
+    support::ChangeValue(option);
     EXPECT_EQ(entry(options) != plain, option.OfScene) << option.Key;
     ofScene += option.OfScene;
     options = before;

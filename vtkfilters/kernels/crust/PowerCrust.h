@@ -3,6 +3,7 @@
 #define novelview_PowerCrust_h
 
 #include "core/Execution.h"
+#include "crust/PowerCrustParameters.h"
 #include "geometry/TriangleMesh.h"
 
 #include <vector>
@@ -23,12 +24,12 @@ struct PowerCrustOptions
 
   /**
    * Pieces and cavities with fewer samples than this are noise and dropped; the largest piece
-   * stays. Default 20, at least 0 (keep everything). DelaunayCrust only.
+   * stays. 0 keeps everything. DelaunayCrust only.
    */
-  int MinimumComponentSamples = 20;
+  int MinimumComponentSamples = PowerCrustParameters::MinimumComponentSamples.Default;
 
   /** Whether samples just under or over the surface are brought onto it. DelaunayCrust only. */
-  bool RecoverSamples = true;
+  bool RecoverSamples = PowerCrustParameters::RecoverSamples;
 
   /** Throws Error naming the field that is out of range. */
   void Check() const;

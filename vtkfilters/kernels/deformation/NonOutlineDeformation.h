@@ -4,6 +4,7 @@
 
 #include "core/Execution.h"
 #include "deformation/Deformation.h"
+#include "deformation/DeformationParameters.h"
 #include "geometry/View.h"
 
 #include <vector>
@@ -12,15 +13,20 @@ namespace novelview
 {
 struct NonOutlineOptions
 {
-  double Alpha = 0.3;         ///< weight of the smoothness energy
-  int Iterations = 10;        ///< at most; 0 only measures
-  double SearchPx = 4;        ///< how far a point may move in one iteration, pixel footprints
+  /** Weight of the smoothness energy. */
+  double Alpha = NonOutlineParameters::Alpha.Default;
+  /** At most; 0 only measures. */
+  int Iterations = DeformationParameters::Iterations.Default;
+  /** How far a point may move in one iteration, pixel footprints. */
+  double SearchPx = NonOutlineParameters::SearchPx.Default;
   double StepPx = 0.25;       ///< spacing of the candidates, pixel footprints
   double ConvergencePx = 0.1; ///< stop when no point moves further
-  int WindowRadius = 3;       ///< of the matching windows, input pixels
-  int Secondaries = 2;        ///< the key's neighbours
-  int MatchRangePx = 6;       ///< search range along the epipolar line, each way, input pixels
-  int MatchAcrossPx = 1;      ///< and, about the best there, across it (calibration error)
+  /** Of the matching windows, input pixels. */
+  int WindowRadius = NonOutlineParameters::WindowRadius.Default;
+  int Secondaries = 2; ///< the key's neighbours
+  /** Search range along the epipolar line, each way, input pixels. */
+  int MatchRangePx = NonOutlineParameters::MatchRangePx.Default;
+  int MatchAcrossPx = 1; ///< and, about the best there, across it (calibration error)
 };
 
 /** A point triangulated between the key image and one secondary. */

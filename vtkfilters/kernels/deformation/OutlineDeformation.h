@@ -4,6 +4,7 @@
 
 #include "core/Execution.h"
 #include "deformation/Deformation.h"
+#include "deformation/DeformationParameters.h"
 #include "geometry/Rasteriser.h"
 #include "geometry/View.h"
 
@@ -14,17 +15,23 @@ namespace novelview
 {
 struct OutlineOptions
 {
-  double Alpha = 0.3;          ///< weight of the contour energy
-  double Beta = 0.3;           ///< weight of the smoothness energy
-  int Iterations = 10;         ///< at most; 0 only measures
-  double SearchPx = 2;         ///< how far a point may move in one iteration, novel pixels
+  /** Weight of the contour energy. */
+  double Alpha = OutlineParameters::Alpha.Default;
+  /** Weight of the smoothness energy. */
+  double Beta = OutlineParameters::Beta.Default;
+  /** At most; 0 only measures. */
+  int Iterations = DeformationParameters::Iterations.Default;
+  /** How far a point may move in one iteration, novel pixels. */
+  double SearchPx = OutlineParameters::SearchPx.Default;
   double StepPx = 0.25;        ///< spacing of the candidates, novel pixels
   double ConvergencePx = 0.05; ///< stop when no point moves further
-  int WindowRadius = 3;        ///< of the photo-consistency windows, input pixels
-  int Secondaries = 2;         ///< the key's neighbours
-  double SigmaPx = 8;          ///< sigma of the contour energy, input pixels
-  int NearViews = 4;           ///< views of the contour energy, at most
-  double NearAngleDeg = 45;    ///< and no further from the novel view than this
+  /** Of the photo-consistency windows, input pixels. */
+  int WindowRadius = OutlineParameters::WindowRadius.Default;
+  int Secondaries = 2; ///< the key's neighbours
+  /** Sigma of the contour energy, input pixels. */
+  double SigmaPx = OutlineParameters::SigmaPx.Default;
+  int NearViews = 4;        ///< views of the contour energy, at most
+  double NearAngleDeg = 45; ///< and no further from the novel view than this
 };
 
 // ---- the terms, one function each --------------------------------------------------------------

@@ -309,7 +309,7 @@ Image<float> FusedSilhouette(const TriangleMesh& mesh, const std::vector<View>& 
   execution.Report(0.2);
   tracer.TraceBand();
   execution.Report(0.35);
-  if (options.PredictionWeight > 0)
+  if (options.UsePrediction)
   {
     tracer.DrawToPrediction();
   }

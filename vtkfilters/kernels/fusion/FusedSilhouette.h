@@ -4,6 +4,7 @@
 
 #include "core/Execution.h"
 #include "core/ImageRef.h"
+#include "fusion/FusionParameters.h"
 #include "fusion/TsdfField.h"
 #include "geometry/TriangleMesh.h"
 #include "geometry/View.h"
@@ -17,8 +18,9 @@ struct FusedSilhouetteOptions
 {
   double StepPx = 2;      ///< of the walk along the novel rays, input pixel footprints
   double SmoothingPx = 0; ///< sigma of the Gaussian over the distances; 0 = none
-  /** Most weight of the contour predicted from the photographs' contours against the field's 1; 0
-   * = it is not asked. */
+  /** Whether the contour predicted from the photographs' contours takes part. */
+  bool UsePrediction = FusionParameters::UsePrediction;
+  /** Its most weight against the field's 1. */
   double PredictionWeight = 10;
   double PredictionGatePx = 1;       ///< the weight falls as the two differ by this
   double PredictionResidualPx = 0.1; ///< and as its circle misses the contours by this

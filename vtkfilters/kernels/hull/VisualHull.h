@@ -5,6 +5,7 @@
 #include "core/Execution.h"
 #include "geometry/TriangleMesh.h"
 #include "geometry/View.h"
+#include "hull/VisualHullParameters.h"
 
 #include <Eigen/Geometry>
 
@@ -15,12 +16,12 @@ namespace novelview
 {
 struct VisualHullOptions
 {
-  /** Edge of a lattice cell, in pixels of the photographs at the object's middle. [0.25, 64] */
-  double SpacingPx = 2.0;
+  /** Edge of a lattice cell, in pixels of the photographs at the object's middle. */
+  double SpacingPx = VisualHullParameters::SpacingPx.Default;
   /** Where to search; found from the silhouettes when not given. */
   std::optional<Eigen::AlignedBox3d> Box;
   /** Keep every component. Otherwise only the one with the most samples. */
-  bool KeepAllComponents = false;
+  bool KeepAllComponents = VisualHullParameters::KeepAllComponents;
 };
 
 struct VisualHullResult

@@ -3,6 +3,7 @@
 #define novelview_PlaneSweepCost_h
 
 #include "stereo/MatchImage.h"
+#include "stereo/ReferenceDepthParameters.h"
 #include "stereo/ReferenceRows.h"
 
 #include <Eigen/Core>
@@ -14,9 +15,10 @@ namespace novelview
 {
 struct MatchOptions
 {
-  int WindowRadius = 2;        ///< 5x5
-  int BestNeighbours = 2;      ///< the cost is the mean over the best so many
-  double ColorShare = 0.5;     ///< of the truncated colour difference; the rest is correlation
+  int WindowRadius = ReferenceDepthParameters::WindowRadius.Default;
+  int BestNeighbours = 2; ///< the cost is the mean over the best so many
+  /** Of the truncated colour difference; the rest is correlation. */
+  double ColorShare = ReferenceDepthParameters::ColorShare.Default;
   double ColorTruncation = 40; ///< grey levels
   double Noise = 12;           ///< variance added to the correlation's denominators
 };

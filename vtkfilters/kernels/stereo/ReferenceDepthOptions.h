@@ -4,16 +4,18 @@
 
 #include "fusion/TsdfField.h"
 #include "stereo/PlaneSweepCost.h"
+#include "stereo/ReferenceDepthParameters.h"
 #include "stereo/SemiGlobal.h"
 
 namespace novelview
 {
 struct ReferenceDepthOptions
 {
-  int Neighbours = 4;          ///< photographs each is matched with, the nearest in angle
+  /** Photographs each is matched with, the nearest in angle. */
+  int Neighbours = ReferenceDepthParameters::Neighbours.Default;
   double MaxAngleDeg = 65;     ///< and no further than this
   double CoarseFirstPx = -1.5; ///< first pass: offsets behind the hull's front, pixel footprints
-  double CoarseLastPx = 150;
+  double CoarseLastPx = ReferenceDepthParameters::CoarseLastPx.Default;
   double CoarseStepPx = 4;
   int FusedViews = 16;     ///< maps fused as one photograph sees them: its own and the nearest
   double FineRangePx = 24; ///< second pass: offsets about the fused surface, each way

@@ -281,7 +281,7 @@ void BlendPixels(const CoveredBuffer& buffer, const std::vector<BlendReference>&
       for (int x = 0; x < camera.Width; ++x)
       {
         const float covered = buffer.Covered(x, y);
-        if (covered < 0.5f && !(options.SoftRim && covered > 0))
+        if (covered < 0.5f && !(options.SoftBoundary && covered > 0))
         {
           continue;
         }
@@ -337,7 +337,7 @@ TexturedView TextureView(const TriangleMesh& mesh, const TriangleMesh* occluders
   const std::vector<View>& views, const Camera& camera, const TextureOptions& options,
   const Execution& execution)
 {
-  const CoveredBuffer buffer = RasteriseCovered(mesh, camera, options.RimSamples, execution);
+  const CoveredBuffer buffer = RasteriseCovered(mesh, camera, options.BoundarySamples, execution);
   execution.Report(0.2);
   const std::vector<BlendReference> references =
     ReferencesFor(mesh, occluders, views, camera, options, execution);

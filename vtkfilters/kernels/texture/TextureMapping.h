@@ -16,12 +16,12 @@ namespace novelview
 /** The novel picture and what is known about each of its pixels; rows from the top. */
 struct TexturedView
 {
-  Image<std::uint8_t> Color; ///< RGB, black where Mask is 0 (but see SoftRim); multiplied by the
-                             ///< coverage at the rim
-  Image<std::uint8_t> Mask;  ///< 255 = object
-  Image<float> Depth;        ///< z of the surface point, 0 where Mask is 0
-  Image<int> CellId;         ///< triangle of the mesh, -1 where Mask is 0
-  Image<std::uint8_t> Seen;  ///< 1 = a reference sees the point, 0 = filled from the surroundings
+  /** RGB, black where Mask is 0 (but see SoftBoundary); multiplied by the coverage at the boundary. */
+  Image<std::uint8_t> Color;
+  Image<std::uint8_t> Mask; ///< 255 = object
+  Image<float> Depth;       ///< z of the surface point, 0 where Mask is 0
+  Image<int> CellId;        ///< triangle of the mesh, -1 where Mask is 0
+  Image<std::uint8_t> Seen; ///< 1 = a reference sees the point, 0 = filled from the surroundings
 };
 
 /** Whether the model decides what a photograph sees, of some photograph at least. */

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class vtkTextureAtlasGenerator
+ * @brief A mesh with the photographs' colours, for no camera: per point, and as charts with a texture.
+ *
+ * Where vtkViewDependentTextureMapper makes the picture of one novel camera, this filter makes a
+ * textured mesh for other programs. Every triangle is given to the photograph that shows it best;
+ * connected triangles of one photograph are a chart, whose texture coordinates are the pixels of that
+ * photograph; the charts are packed into one texture. Every texel is blended from all photographs
+ * that see its surface point, as vtkViewDependentTextureMapper does for a camera that looks straight
+ * at it, so that charts match at their seams (TextureAtlas.h).
+ *
+ * Ports:
+ *  - in 0: vtkPolyData, triangles; n points.
+ *  - in 1: vtkMultiBlockDataSet, the views (see ViewAccess.h) with `Color`, `Mask` and
+ *    `ContourDistance`; field array `ExposureGain`.
+ *  - out 0: vtkPolyData, the mesh with the point arrays `Color` (uint8 x 3, the scalars; where no
+ *    photograph sees a point the mean of its neighbours) and `Normals` (float x 3, unit, outward; 0
+ *    where there is none). No other arrays.
+ *  - out 1: vtkPolyData, the triangles in their order, points at seams once per chart, with the point
+ *    arrays `TCoords` (double x 2, 0 to 1, from the texture's bottom left), `Normals` (as above) and
+ *    `OriginalPointIds` (vtkIdType, the point of the mesh it is).
+ *  - out 2: vtkImageData, the texture, point array `Color` (uint8 x 3, the scalars; bottom-up rows).
+ *    Its size follows from the charts and is not known before the update.
+ *
+ * Differs from the paper: the whole filter is an addition.
+ *
+ * Errors: no triangles, cells that are not triangles, no views, missing arrays, charts that fit at no
+ * sensible scale.
+ *
+ * References: Chia, He and Lin 2013, section 3 (the blending); Lempitsky and Ivanov, "Seamless
+ * mosaicing of image-based texture maps", CVPR 2007 (photographs chosen per triangle).
+ */
+#ifndef vtkTextureAtlasGenerator_h
+#define vtkTextureAtlasGenerator_h
+
+#include "texture/TextureParameters.h"
+#include "vtkNovelViewFiltersModule.h"
+#include <vtkPolyDataAlgorithm.h>
+
+class vtkImageData;
+
+class VTKNOVELVIEWFILTERS_EXPORT vtkTextureAtlasGenerator : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkTextureAtlasGenerator* New();
+  vtkTypeMacro(vtkTextureAtlasGenerator, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** Largest side of the texture, pixels; charts are scaled down to fit. Default 4096, range 64 to 16384. */
+  vtkSetClampMacro(TextureSize, int, novelview::TextureAtlasParameters::LargestSidePx.Min,
+    novelview::TextureAtlasParameters::LargestSidePx.Max);
+  vtkGetMacro(TextureSize, int);
+  ///@}
+
+  ///@{
+  /** Photographs blended per texel. Default 3, range 1 to 64. */
+  vtkSetClampMacro(References, int, novelview::TextureAtlasParameters::References.Min,
+    novelview::TextureAtlasParameters::References.Max);
+  vtkGetMacro(References, int);
+  ///@}
+
+  ///@{
+  /** The exponent m of the weights. Default 16, range 0 to 64. */
+  vtkSetClampMacro(Power, double, novelview::TextureAtlasParameters::Power.Min,
+    novelview::TextureAtlasParameters::Power.Max);
+  vtkGetMacro(Power, double);
+  ///@}
+
+  ///@{
+  /**
+   * Width over which a photograph's weight grows from its silhouette's border inwards, pixels.
+   * Default 20, range 0.01 to 100.
+   */
+  vtkSetClampMacro(FeatherWidth, double, novelview::TextureAtlasParameters::FeatherPx.Min,
+    novelview::TextureAtlasParameters::FeatherPx.Max);
+  vtkGetMacro(FeatherWidth, double);
+  ///@}
+
+  ///@{
+  /**
+   * Softness of the occlusion test in pixel footprints, see vtkViewDependentTextureMapper. Default
+   * 1.5, range 0 to 100.
+   */
+  vtkSetClampMacro(OcclusionSoftness, double, novelview::TextureAtlasParameters::OcclusionPx.Min,
+    novelview::TextureAtlasParameters::OcclusionPx.Max);
+  vtkGetMacro(OcclusionSoftness, double);
+  ///@}
+
+  ///@{
+  /** Bring the photographs to one exposure by their `ExposureGain` where there is one. Default on. */
+  vtkSetMacro(UseExposureGains, bool);
+  vtkGetMacro(UseExposureGains, bool);
+  vtkBooleanMacro(UseExposureGains, bool);
+  ///@}
+
+  /** The mesh cut into charts, output 1. */
+  vtkPolyData* GetAtlasMesh();
+  /** The texture, output 2. */
+  vtkImageData* GetTexture();
+
+  ///@{
+  /** Of the last update: charts, and the part of their texels that a photograph sees, 0 to 1. */
+  vtkGetMacro(NumberOfCharts, int);
+  vtkGetMacro(SeenShare, double);
+  ///@}
+
+protected:
+  vtkTextureAtlasGenerator();
+  ~vtkTextureAtlasGenerator() override = default;
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
+  int TextureSize = novelview::TextureAtlasParameters::LargestSidePx.Default;
+  int References = novelview::TextureAtlasParameters::References.Default;
+  double Power = novelview::TextureAtlasParameters::Power.Default;
+  double FeatherWidth = novelview::TextureAtlasParameters::FeatherPx.Default;
+  double OcclusionSoftness = novelview::TextureAtlasParameters::OcclusionPx.Default;
+  bool UseExposureGains = novelview::TextureAtlasParameters::UseGains;
+  int NumberOfCharts = 0;
+  double SeenShare = 0;
+
+private:
+  vtkTextureAtlasGenerator(const vtkTextureAtlasGenerator&) = delete;
+  void operator=(const vtkTextureAtlasGenerator&) = delete;
+};
+
+#endif
