@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "CommandLine.h"
+#include "base/Parallel.h"
 #include "base/UsageError.h"
 #include "commands/CheckOptions.h"
 #include "commands/ConvertOptions.h"
