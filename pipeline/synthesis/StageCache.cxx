@@ -118,6 +118,8 @@ void AddView(Hash& hash, vtkImageData* image, const std::string& name)
   }
 }
 
+}
+
 StageCache::StageCache(
   fs::path folder, vtkMultiBlockDataSet* views, const SynthesisOptions& options)
   : Folder(std::move(folder))
