@@ -71,8 +71,7 @@ std::size_t Utf8Length(std::string_view text, std::size_t at)
   // The shortest form only, no halves of surrogate pairs, nothing behind the last character.
   constexpr std::array<char32_t, 5> Min{ 0, 0, 0x80, 0x800, 0x10000 };
   const char32_t code = CharacterAt(text, at, length);
-  const bool valid =
-    code >= Min[length] && code <= 0x10FFFF && !(code >= 0xD800 && code <= 0xDFFF);
+  const bool valid = code >= Min[length] && code <= 0x10FFFF && !(code >= 0xD800 && code <= 0xDFFF);
   return valid ? length : 0;
 }
 
