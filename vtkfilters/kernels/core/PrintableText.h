@@ -15,12 +15,12 @@ std::size_t Utf8Length(std::string_view text, std::size_t at);
 /** Whether a text is valid UTF-8. */
 bool IsUtf8(std::string_view text);
 
-/** The text with bytes that are no UTF-8 written as \xNN. */
+/** The text with bytes that are no UTF-8 written as \\xNN. */
 std::string ValidUtf8(std::string_view text);
 
 /**
  * The text as one line of valid UTF-8: line breaks and tabs become blanks, bytes that are no UTF-8
- * and characters that control a terminal are written as \xNN.
+ * and characters that control a terminal are written as \\xNN.
  */
 std::string Printable(std::string_view text);
 
