@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs the Debian packages of a list that are missing: a name a line, # begins a comment. Run by
-# app/setup.sh and tests/fuzz.sh, as root or as a user who may use sudo.
+# app/configure.sh and the scripts of tests/, as root or as a user who may use sudo.
 # usage: app/install-packages.sh LIST
 set -euo pipefail
 list=$1

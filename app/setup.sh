@@ -6,14 +6,5 @@ set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=${NOVELVIEW_BUILD:-$root/build}
 
-"$root/app/install-packages.sh" "$root/app/packages.txt" || {
-  echo "Then build with: cmake -S '$root' -B '$build' -G Ninja && cmake --build '$build'" >&2
-  exit 1
-}
-
-# What CMake finds is told only when it fails.
-mkdir -p "$build"
-log=$build/configure.log
-cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo >"$log" 2>&1 ||
-  { cat "$log" >&2; exit 1; }
+"$root/app/configure.sh" "$build"
 cmake --build "$build" ${1:+--target "$@"}

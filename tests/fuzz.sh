@@ -20,14 +20,10 @@ if [ ${#fuzzers[@]} -eq 0 ]; then
 fi
 unset DISPLAY
 
-"$root/app/install-packages.sh" "$root/app/packages.txt"
-"$root/app/install-packages.sh" "$root/app/packages-fuzz.txt"
-mkdir -p "$build"
-log=$build/configure.log
-cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo -DNOVELVIEW_FUZZERS=ON \
+"$root/app/install-packages.sh" "$root/app/packages-dev.txt"
+"$root/app/configure.sh" "$build" -DNOVELVIEW_FUZZERS=ON \
   -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ -DBUILD_SHARED_LIBS=OFF \
-  -DNOVELVIEW_BUILD_TESTS=OFF -DNOVELVIEW_BUILD_BENCHMARKS=OFF >"$log" 2>&1 ||
-  { cat "$log" >&2; exit 1; }
+  -DNOVELVIEW_BUILD_TESTS=OFF -DNOVELVIEW_BUILD_BENCHMARKS=OFF
 cmake --build "$build" --target "${fuzzers[@]}" MakeSeeds
 
 # Files that the harnesses write stay in memory where they can.
