@@ -108,6 +108,7 @@ std::vector<Eigen::Vector3d> FarCorners(const std::vector<Eigen::Vector3d>& samp
   const Eigen::Vector3d centre = 0.5 * (low + high);
   const double reach = CornerDistance * (high - low).norm();
   std::vector<Eigen::Vector3d> corners;
+  corners.reserve(DelaunayComplex::NumberOfCorners);
   for (int i = 0; i < DelaunayComplex::NumberOfCorners; ++i)
   {
     corners.push_back(

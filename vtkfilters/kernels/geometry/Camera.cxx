@@ -118,7 +118,7 @@ Motion FractionOfMotion(const Motion& motion, double fraction)
     part.D = fraction * motion.D;
     return part;
   }
-  const Eigen::Vector3d axis = turn.axis();
+  const Eigen::Vector3d& axis = turn.axis();
   const Eigen::Vector3d along = axis.dot(motion.D) * axis;
   const Eigen::Vector3d across = motion.D - along;
   const Eigen::Vector3d pointOnAxis = 0.5 * (across + axis.cross(across) / halfTangent);

@@ -50,8 +50,8 @@ Matrix3d RingFrame(const Vector3d& outwards, const Vector3d& axis)
 Matrix3d NearestRotation(const Matrix3d& sum)
 {
   const Eigen::JacobiSVD<Matrix3d> svd(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Matrix3d u = svd.matrixU();
-  const Matrix3d v = svd.matrixV();
+  const Matrix3d& u = svd.matrixU();
+  const Matrix3d& v = svd.matrixV();
   return u * Vector3d(1, 1, (u * v.transpose()).determinant()).asDiagonal() * v.transpose();
 }
 
@@ -88,7 +88,7 @@ void FitCentres(const std::vector<Camera>& cameras, CameraRing& ring)
   const Vector3d mean = centres.colwise().mean();
   const Eigen::MatrixX3d apart = centres.rowwise() - mean.transpose();
   const Eigen::JacobiSVD<Eigen::MatrixX3d> svd(apart, Eigen::ComputeThinV);
-  const Matrix3d basis = svd.matrixV();
+  const Matrix3d& basis = svd.matrixV();
   if (!(svd.singularValues()[1] > 1e-3 * svd.singularValues()[0]))
   {
     throw Error("cameras", "are on no ring: they stand on a line or at one place");

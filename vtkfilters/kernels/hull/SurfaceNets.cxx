@@ -155,7 +155,7 @@ TriangleMesh ConnectCells(const std::vector<CellSample>& samples, const SortedCe
       {
         continue;
       }
-      int ring[3];
+      int ring[3] = {};
       std::transform(around[axis].begin(), around[axis].end(), ring,
         [&sample](OffsetCells& offset) { return offset.Find(sample.Cell); });
       if (std::any_of(ring, ring + 3, [](int other) { return other < 0; }))

@@ -356,7 +356,8 @@ void KeepComponents(std::vector<CellSample>& samples, bool keepAll, VisualHullRe
     constexpr int steps = 40;
     for (int n = 0; n < steps * steps * steps; ++n)
     {
-      const Vector3d at((n % steps) + 0.5, (n / steps) % steps + 0.5, n / (steps * steps) + 0.5);
+      const Vector3i cell(n % steps, n / steps % steps, n / (steps * steps));
+      const Vector3d at = cell.cast<double>() + Vector3d::Constant(0.5);
       accepted += field.Value(box.min() + box.sizes().cwiseProduct(at / steps)) >= 0;
     }
     if (accepted > most)

@@ -181,6 +181,7 @@ std::vector<Plane> PlanesOf(
 Eigen::AlignedBox3d FindSearchBox(const std::vector<View>& views)
 {
   std::vector<Camera> cameras;
+  cameras.reserve(views.size());
   for (const View& view : views)
   {
     cameras.push_back(view.Cam);

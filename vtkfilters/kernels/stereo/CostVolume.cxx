@@ -164,6 +164,7 @@ CostVolume MatchNeighbours(const MatchImage& reference, const Image<float>& base
   }
   const ReferenceRows rows(reference, base, last, box, options.WindowRadius);
   std::vector<PlaneSweepCost> sweeps;
+  sweeps.reserve(neighbours.size());
   for (const MatchImage* other : neighbours)
   {
     sweeps.emplace_back(rows, *other, options);

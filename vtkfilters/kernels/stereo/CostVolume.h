@@ -61,14 +61,14 @@ struct CostVolume
   DepthHypotheses Labels;
   std::vector<std::int16_t> Costs;
 
-  std::int16_t* Row(int y, int label)
-  {
-    return this->Costs.data() +
-      (static_cast<std::size_t>(y) * this->Labels.Count + label) * this->Box.Width();
-  }
+  std::int16_t* Row(int y, int label) { return this->Costs.data() + this->RowOffset(y, label); }
   const std::int16_t* Row(int y, int label) const
   {
-    return const_cast<CostVolume*>(this)->Row(y, label);
+    return this->Costs.data() + this->RowOffset(y, label);
+  }
+  std::size_t RowOffset(int y, int label) const
+  {
+    return (static_cast<std::size_t>(y) * this->Labels.Count + label) * this->Box.Width();
   }
 };
 
