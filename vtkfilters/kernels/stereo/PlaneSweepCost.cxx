@@ -432,8 +432,8 @@ bool PlaneSweepCost::Costs(std::int16_t* costs)
   const Columns& sum = this->Sum;
   const ColumnSums sums{ sum.Count.data(), sum.Reference.data(), sum.Other.data(),
     sum.Difference.data(), sum.Reference2.data(), sum.Other2.data(), sum.Product.data() };
-  const CostRule rule{ static_cast<float>((this->Side * this->Side + 3) / 4), this->ShareOfColor,
-    this->Noise };
+  const int quarter = (this->Side * this->Side + 3) / 4;
+  const CostRule rule{ static_cast<float>(quarter), this->ShareOfColor, this->Noise };
   CostsOfColumns(sums, rule, this->Side, begin, end, costs);
   return true;
 }

@@ -97,7 +97,7 @@ private:
   void Project(int y, const ReferenceRows::Span& span);
   void Gather(const ReferenceRows::Span& span);
   void Compare(int y, Samples& row) const;
-  void Replace(const Samples& entering, const Samples& leaving);
+  void Replace(const Samples& in, const Samples& out);
   Samples& RowOf(int y) { return this->Ring[(y + 4 * this->Side) % (this->Side + 1)]; }
 
   const ReferenceRows& Rows;
