@@ -5,10 +5,10 @@
 #include "commands/EvaluateOptions.h"
 #include "commands/RenderOptions.h"
 #include "commands/RunOptions.h"
-#include "generator/Generator.h"
-#include "options/NearestWord.h"
 #include "formats/Middlebury.h"
+#include "generator/Generator.h"
 #include "images/ImageFile.h"
+#include "options/NearestWord.h"
 #include "support/TestSupport.h"
 
 #include <set>
