@@ -86,7 +86,7 @@ inline Camera RequireCamera(vtkPinholeCamera* camera)
   {
     throw Error("novel camera", "none is set");
   }
-  const Camera result = ToCamera(camera);
+  Camera result = ToCamera(camera);
   ValidateCamera(result, "novel camera");
   return result;
 }

@@ -43,7 +43,9 @@ OutOfMemoryIsCaught::~OutOfMemoryIsCaught()
 
 void SayLastError(const char* text)
 {
-  const auto part = [](const char* bytes) {
+  const auto part = [](const char* bytes)
+  {
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast): writev() only reads
     return iovec{ const_cast<char*>(bytes), std::strlen(bytes) };
   };
   const iovec line[] = { part("novelview: error: "), part(text), part("\n") };

@@ -48,7 +48,7 @@ std::string Digits(const std::string& text, std::size_t& at)
     ++end;
   }
   const std::size_t begin = std::min(text.find_first_not_of('0', at), end);
-  const std::string digits = text.substr(begin, end - begin);
+  std::string digits = text.substr(begin, end - begin);
   at = end;
   return digits;
 }

@@ -184,12 +184,11 @@ void ReplaceShaders(vtkShaderProperty* shaders, const SurfaceLook& look)
     "//VTK::PositionVC::Impl\n  place = placeMC;\n  facing = facingMC;\n", false);
   const std::string declarations = std::string("//VTK::PositionVC::Dec\nin vec3 place;\n") +
     "in vec3 facing;\n" + NoiseSource + ColourSources().at(look.Texture) + ShadeSource;
-  shaders->AddFragmentShaderReplacement(
-    "//VTK::PositionVC::Dec", true, declarations.c_str(), false);
+  shaders->AddFragmentShaderReplacement("//VTK::PositionVC::Dec", true, declarations, false);
   const std::string shade = look.Lit ? "Shade(normalize(facing))" : "1.0";
   const std::string body =
     "  gl_FragData[0] = vec4(SolidColour(place) * " + shade + " * ShadowAt(place), 1.0);\n";
-  shaders->AddFragmentShaderReplacement("//VTK::Light::Impl", true, body.c_str(), false);
+  shaders->AddFragmentShaderReplacement("//VTK::Light::Impl", true, body, false);
 }
 }
 

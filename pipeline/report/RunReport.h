@@ -15,9 +15,6 @@
 
 namespace novelview
 {
-/** The name of a step in files and tables: hull, outline, full; for tables nonoutline. */
-std::string StageName(Stage stage);
-
 /** What pictures may be named after in a run to the stage `upTo`: its stages and the oracle. */
 std::vector<std::string> PictureStages(Stage upTo);
 
