@@ -415,10 +415,11 @@ TEST_F(BadInput, RenderSaysWhatIsWrongToo)
 TEST_F(BadInput, InterruptedRunLeavesNoHalfWrittenFile)
 {
   // Work for minutes, so that it is not done when the signal comes, once the first files are there.
-  const std::string command = InQuotes(NOVELVIEW_PROGRAM) + " run " + InQuotes(this->Data.string()) +
+  const std::string command = ShellQuoted(NOVELVIEW_PROGRAM) + " run " +
+    ShellQuoted(this->Data.string()) +
     " --quiet --view between:0,1 --outline-iterations 1000 --non-outline-iterations 1000" +
-    " --preset paper --out " + InQuotes(this->Out.string()) + " & program=$!\n" +
-    "for i in $(seq 600); do [ -e " + InQuotes((this->Out / "iterations").string()) +
+    " --preset paper --out " + ShellQuoted(this->Out.string()) + " & program=$!\n" +
+    "for i in $(seq 600); do [ -e " + ShellQuoted((this->Out / "iterations").string()) +
     " ] && break; sleep 0.1; done\n" +
     "kill -INT $program; start=$(date +%s%N); wait $program; code=$?\n" +
     "echo $(( ($(date +%s%N) - start) / 1000000 )); exit $code";

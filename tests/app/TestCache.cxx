@@ -37,11 +37,11 @@ protected:
   /** Runs with the cache; `before` is what the shell does first, `as` what starts the program. */
   ProcessEnd Run(const std::string& before = "", const std::string& as = "") const
   {
-    std::string command = before + "\n" + as + " " + Quoted(NOVELVIEW_PROGRAM);
+    std::string command = before + "\n" + as + " " + ShellQuoted(NOVELVIEW_PROGRAM);
     for (const std::string& word :
       Words(this->Place / "out", { "--cache", (this->Place / "cache").string() }))
     {
-      command += " " + Quoted(word);
+      command += " " + ShellQuoted(word);
     }
     return RunShell(command);
   }
@@ -115,7 +115,7 @@ TEST_F(CacheFolder, WithoutPermissionIsOneWarning)
   fs::permissions(this->Place / "cache", fs::perms::none);
   const std::string nobody = "setpriv --reuid=65534 --regid=65534 --clear-groups";
   const std::string as = ::geteuid() == 0 ? nobody : "";
-  if (RunShell(as + " test -x " + Quoted(NOVELVIEW_PROGRAM)).Code != 0)
+  if (RunShell(as + " test -x " + ShellQuoted(NOVELVIEW_PROGRAM)).Code != 0)
   {
     GTEST_SKIP() << "root may read everything, and nobody may not run the program";
   }

@@ -58,7 +58,7 @@ TEST_F(CheckProgram, TheCommandItGivesMendsTheDataSet)
   ASSERT_TRUE(command.starts_with("novelview ")) << command;
   EXPECT_THAT(end.Out, HasSubstr(command));
   const ProcessEnd mended =
-    RunShell(Quoted(NOVELVIEW_PROGRAM) + command.substr(std::string("novelview").size()));
+    RunShell(ShellQuoted(NOVELVIEW_PROGRAM) + command.substr(std::string("novelview").size()));
   EXPECT_EQ(mended.Code, 0) << mended.Err;
   EXPECT_EQ(RunProgram({ "check", In("wrong-mended").string() }).Code, 0);
   EXPECT_EQ(RunProgram({ "check", In("wrong").string(), "--poses", "camera-to-world" }).Code, 0);

@@ -12,11 +12,11 @@ namespace
 /** Runs the program with so much address space at most; a hang would end with 124. */
 ProcessEnd RunWithin(int mebibytes, const std::vector<std::string>& words)
 {
-  std::string command =
-    "ulimit -v " + std::to_string(mebibytes * 1024) + "; timeout 100 " + Quoted(NOVELVIEW_PROGRAM);
+  std::string command = "ulimit -v " + std::to_string(mebibytes * 1024) + "; timeout 100 " +
+    ShellQuoted(NOVELVIEW_PROGRAM);
   for (const std::string& word : words)
   {
-    command += " " + Quoted(word);
+    command += " " + ShellQuoted(word);
   }
   return RunShell(command);
 }

@@ -22,10 +22,11 @@ TEST(Oracle, IsAtLeastAsGoodAsTheYardstick)
   // The hull is all that is needed beside the oracle.
   MustRun({ "run", bunny.Data().string(), "--quiet", "--view", bunny.HeldOut(), "--stage", "hull",
     "--no-iterations", "--true-mesh", mesh.string(), "--out", out.string() });
-  const ProcessEnd judged = RunShell("xvfb-run -a /usr/bin/python3 " + Quoted(script.string()) +
-    " " + Quoted(mesh.string()) + " " + Quoted(bunny.Data().string()) + " " +
-    Quoted((bunny.Data() / "test" / "test_par.txt").string()) + " " +
-    Quoted((bunny.Folder / "judged").string()));
+  const ProcessEnd judged =
+    RunShell("xvfb-run -a /usr/bin/python3 " + ShellQuoted(script.string()) + " " +
+      ShellQuoted(mesh.string()) + " " + ShellQuoted(bunny.Data().string()) + " " +
+      ShellQuoted((bunny.Data() / "test" / "test_par.txt").string()) + " " +
+      ShellQuoted((bunny.Folder / "judged").string()));
   ASSERT_EQ(judged.Code, 0) << judged.Err;
   std::map<std::string, double> yardstick;
   std::istringstream words(judged.Out.substr(judged.Out.find("mean ") + 5));

@@ -88,8 +88,8 @@ TEST_F(Orbit, IsSteadyFromFrameToFrame)
   const fs::path script = fs::path(NOVELVIEW_SOURCE_DIR) / "tests" / "steadiness.py";
   const auto measure = [&](const fs::path& film)
   {
-    const ProcessEnd end = RunShell("/usr/bin/python3 " + Quoted(script.string()) + " " +
-      Quoted(film.string()) + " " + Quoted((Bunny->Data() / "test").string()));
+    const ProcessEnd end = RunShell("/usr/bin/python3 " + ShellQuoted(script.string()) + " " +
+      ShellQuoted(film.string()) + " " + ShellQuoted((Bunny->Data() / "test").string()));
     if (end.Code != 0)
     {
       throw Error("steadiness.py", end.Err);
@@ -119,10 +119,10 @@ TEST_F(Orbit, OnlyAFilmNeedsTheVideoLibraries)
   WriteText(Out("broken") / NOVELVIEW_VIDEOIO, "");
   const auto run = [&](const std::string& out)
   {
-    return RunShell("LD_LIBRARY_PATH=" + Quoted(Out("broken").string()) +
-      "${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH} " + Quoted(NOVELVIEW_PROGRAM) + " orbit " +
-      Quoted(Bunny->Data().string()) + " --frames 2 --stage hull --quiet --out " +
-      Quoted(Out(out).string()));
+    return RunShell("LD_LIBRARY_PATH=" + ShellQuoted(Out("broken").string()) +
+      "${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH} " + ShellQuoted(NOVELVIEW_PROGRAM) + " orbit " +
+      ShellQuoted(Bunny->Data().string()) + " --frames 2 --stage hull --quiet --out " +
+      ShellQuoted(Out(out).string()));
   };
   const ProcessEnd folder = run("without");
   EXPECT_EQ(folder.Code, 0) << folder.Err;

@@ -63,10 +63,11 @@ protected:
   /** Runs with files limited to so many blocks of 512 bytes, which fails as a full disk does. */
   static ProcessEnd RunLimited(int blocks, const std::vector<std::string>& words)
   {
-    std::string command = "ulimit -f " + std::to_string(blocks) + "; " + Quoted(NOVELVIEW_PROGRAM);
+    std::string command =
+      "ulimit -f " + std::to_string(blocks) + "; " + ShellQuoted(NOVELVIEW_PROGRAM);
     for (const std::string& word : words)
     {
-      command += " " + Quoted(word);
+      command += " " + ShellQuoted(word);
     }
     // What it says goes through a pipe, which has no limit.
     return RunShell("err=$( ( " + command + " ) 2>&1 >/dev/null ); code=$?\n" +
@@ -308,25 +309,26 @@ TEST_F(Outputs, AFilmThatDoesNotFitOnTheDiskIsAnError)
 
 TEST_F(Outputs, AFullStandardOutputIsAnError)
 {
-  const ProcessEnd end = RunShell(Quoted(NOVELVIEW_PROGRAM) + " --help >/dev/full");
+  const ProcessEnd end = RunShell(ShellQuoted(NOVELVIEW_PROGRAM) + " --help >/dev/full");
   EXPECT_EQ(end.Code, 1);
   EXPECT_THAT(end.Err, HasSubstr("novelview: error: standard output: cannot be written"));
-  const ProcessEnd check =
-    RunShell(Quoted(NOVELVIEW_PROGRAM) + " check " + Quoted(this->Data.string()) + " >/dev/full");
+  const ProcessEnd check = RunShell(
+    ShellQuoted(NOVELVIEW_PROGRAM) + " check " + ShellQuoted(this->Data.string()) + " >/dev/full");
   EXPECT_EQ(check.Code, 1);
   EXPECT_THAT(check.Err, HasSubstr("standard output: cannot be written"));
 }
 
 TEST_F(Outputs, ClosedStreamsDoNotPutMessagesIntoFilms)
 {
-  std::string command = Quoted(NOVELVIEW_PROGRAM) + " orbit " + Quoted(this->Data.string()) +
+  std::string command = ShellQuoted(NOVELVIEW_PROGRAM) + " orbit " +
+    ShellQuoted(this->Data.string()) +
     " --frames 3 --stage hull --no-depth-maps --hull-spacing 8 --out ";
   for (const char* kind : { ".avi", ".mp4" })
   {
     const fs::path open = this->Folder / (std::string("open") + kind);
     const fs::path closed = this->Folder / (std::string("closed") + kind);
-    EXPECT_EQ(RunShell(command + Quoted(open.string())).Code, 0);
-    EXPECT_EQ(RunShell(command + Quoted(closed.string()) + " --verbose <&- >&- 2>&-").Code, 0);
+    EXPECT_EQ(RunShell(command + ShellQuoted(open.string())).Code, 0);
+    EXPECT_EQ(RunShell(command + ShellQuoted(closed.string()) + " --verbose <&- >&- 2>&-").Code, 0);
     EXPECT_EQ(ReadText(closed), ReadText(open)) << kind;
   }
 }
@@ -337,12 +339,13 @@ TEST_F(Outputs, EverySignalThatEndsProgramsEndsARunInOrder)
   for (const auto& [name, code] :
     std::map<std::string, int>{ { "HUP", 129 }, { "INT", 130 }, { "TERM", 143 } })
   {
-    const std::string first = Quoted((out / "frame_0000.png").string());
-    const ProcessEnd end = RunShell("rm -rf " + Quoted(out.string()) + "; " +
-      Quoted(NOVELVIEW_PROGRAM) + " orbit " + Quoted(this->Data.string()) + " --out " +
-      Quoted(out.string()) + " --frames 5000 --quiet --stage hull --no-depth-maps & program=$!\n" +
-      "for i in $(seq 600); do [ -e " + first + " ] && break; sleep 0.1; done\n" + "kill -" + name +
-      " $program; wait $program");
+    const std::string first = ShellQuoted((out / "frame_0000.png").string());
+    const ProcessEnd end =
+      RunShell("rm -rf " + ShellQuoted(out.string()) + "; " + ShellQuoted(NOVELVIEW_PROGRAM) +
+        " orbit " + ShellQuoted(this->Data.string()) + " --out " + ShellQuoted(out.string()) +
+        " --frames 5000 --quiet --stage hull --no-depth-maps & program=$!\n" +
+        "for i in $(seq 600); do [ -e " + first + " ] && break; sleep 0.1; done\n" + "kill -" +
+        name + " $program; wait $program");
     EXPECT_EQ(end.Code, code) << name;
     EXPECT_EQ(end.Err, "novelview: error: interrupted\n") << name;
     EXPECT_THAT(HalfWritten(out), testing::IsEmpty()) << name;

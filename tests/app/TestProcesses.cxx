@@ -38,17 +38,17 @@ protected:
   static ProcessEnd RunIn(
     int processes, const std::vector<std::string>& words, const std::string& before = "")
   {
-    std::string command = Quoted(NOVELVIEW_PROGRAM);
+    std::string command = ShellQuoted(NOVELVIEW_PROGRAM);
     for (const std::string& word : words)
     {
-      command += " " + Quoted(word);
+      command += " " + ShellQuoted(word);
     }
     const TemporaryFolder folder;
     WriteText(folder / "each.sh", before + "\nexec " + command + "\n");
     // A hang would be ended by timeout, with 124.
     return RunShell("timeout 100 " NOVELVIEW_MPIEXEC
                     " --allow-run-as-root --oversubscribe --bind-to none -n " +
-      std::to_string(processes) + " sh " + Quoted((folder / "each.sh").string()));
+      std::to_string(processes) + " sh " + ShellQuoted((folder / "each.sh").string()));
   }
 
   static long LinesWith(const std::string& text, const std::string& part)
@@ -161,7 +161,7 @@ TEST_F(Processes, AStoppedProcessEndsTheRun)
     // It stops once the first frame shows that all of them work, and never goes on by itself.
     const fs::path frames = Out("stopped" + rank);
     const std::string stopped = "if [ $OMPI_COMM_WORLD_RANK = " + rank +
-      " ]; then (for i in $(seq 900); do ls " + Quoted(frames.string()) +
+      " ]; then (for i in $(seq 900); do ls " + ShellQuoted(frames.string()) +
       "/*0000.png && break; sleep 0.1; done; kill -STOP $$) >/dev/null 2>&1 & fi";
     ProcessEnd end = RunIn(3,
       Words("orbit", "stopped.mp4",

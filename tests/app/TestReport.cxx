@@ -54,8 +54,8 @@ protected:
 TEST_F(Report, WorksInABrowser)
 {
   const ProcessEnd end = RunShell(std::string(NOVELVIEW_SYSTEM_PYTHON) + " " +
-    Quoted(NOVELVIEW_SOURCE_DIR "/tests/app/report_page.py") + " " +
-    Quoted((Out() / "report.html").string()) + " " + Quoted(Out().string()));
+    ShellQuoted(NOVELVIEW_SOURCE_DIR "/tests/app/report_page.py") + " " +
+    ShellQuoted((Out() / "report.html").string()) + " " + ShellQuoted(Out().string()));
   if (end.Code == 77)
   {
     GTEST_SKIP() << "chromium, chromium-driver or python3-selenium is not installed";

@@ -24,7 +24,7 @@ struct ProcessEnd
   std::string Err;
 };
 
-inline std::string Quoted(const std::string& word)
+inline std::string ShellQuoted(const std::string& word)
 {
   return "'" + word + "'";
 }
@@ -33,8 +33,8 @@ inline std::string Quoted(const std::string& word)
 inline ProcessEnd RunShell(const std::string& command)
 {
   const TemporaryFolder folder;
-  const int status = std::system(("{ " + command + "\n} >" + Quoted((folder / "out").string()) +
-    " 2>" + Quoted((folder / "err").string()))
+  const int status = std::system(("{ " + command + "\n} >" +
+    ShellQuoted((folder / "out").string()) + " 2>" + ShellQuoted((folder / "err").string()))
                                    .c_str());
   ProcessEnd end;
   // The shell itself says 128 + n when signal n ended the program.
@@ -50,10 +50,10 @@ inline ProcessEnd RunShell(const std::string& command)
 /** Runs the program with these words. */
 inline ProcessEnd RunProgram(const std::vector<std::string>& words)
 {
-  std::string command = Quoted(NOVELVIEW_PROGRAM);
+  std::string command = ShellQuoted(NOVELVIEW_PROGRAM);
   for (const std::string& word : words)
   {
-    command += " " + Quoted(word);
+    command += " " + ShellQuoted(word);
   }
   return RunShell(command);
 }
