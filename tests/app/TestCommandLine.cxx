@@ -73,6 +73,7 @@ Outcome Parse(std::vector<const char*> words, const std::function<void()>& inRun
       const std::filesystem::path& dataset, const ParsedArguments& given, const OptionWarning& warn)
     {
       outcome.Ran = MakeRunOptions(dataset, given, warn);
+      LimitThreads(outcome.Ran->Threads);
       if (inRun)
       {
         inRun();
@@ -208,8 +209,10 @@ TEST(CommandLine, FormerNamesOfOptionsWorkWithAWarningEach)
     testing::Not(testing::AnyOf(HasSubstr("--rim-samples"), HasSubstr("--soft-rim"))));
   ExpectUsageError({ "orbit", "d", "--out", "o", "--rim-samples", "3", "--boundary-samples", "5" },
     "--rim-samples: is now --boundary-samples, which is given, too");
-  ExpectUsageError({ "orbit", "d", "--out", "o", "--rim-samples", "x" },
-    "--boundary-samples: is no whole number (got 'x'");
+  const Outcome bad = Parse({ "orbit", "d", "--out", "o", "--rim-samples", "x" });
+  EXPECT_EQ(bad.Code, 2);
+  EXPECT_THAT(bad.Err, HasSubstr("error: --boundary-samples: is no whole number (got 'x'"));
+  EXPECT_EQ(std::count(bad.Err.begin(), bad.Err.end(), '\n'), 2) << "a warning before the error";
   ExpectUsageError({ "orbit", "d", "--out", "o", "--rim-sample", "3" }, "unknown option");
 }
 
