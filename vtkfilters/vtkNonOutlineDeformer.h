@@ -22,7 +22,8 @@
  * array) and `OutlineFlag` 0 (or no such array). Added point arrays: `Energy`, `EnergyPhoto`
  * (beta E_s), `EnergyHull`, `EnergySmooth`.
  *
- * Differs from the paper: windows are searched along the epipolar line of the key ray (MatchRange)
+ * Differs from the paper: the normals that choose the keys are those of a point's neighbourhood;
+ * windows are searched along the epipolar line of the key ray (MatchRange)
  * and a little across it rather than in a square; similarity is the normalised cross-correlation,
  * which, unlike a sum of squares, is 0 for unrelated windows; the distance to the hull is read from
  * the silhouette field (the least over the views of the distance to the silhouette's cone).
@@ -50,21 +51,21 @@ public:
   ///@}
 
   ///@{
-  /** How far a point may move in one iteration, pixel footprints. Default 4, range 0.25 to 100. */
+  /** How far a point may move in one iteration, pixel footprints. Default 12, range 0.25 to 100. */
   vtkSetClampMacro(SearchRange, double, novelview::NonOutlineParameters::SearchPx.Min,
     novelview::NonOutlineParameters::SearchPx.Max);
   vtkGetMacro(SearchRange, double);
   ///@}
 
   ///@{
-  /** Radius of the matching windows, input pixels. Default 3 (7x7), range 1 to 7. */
+  /** Radius of the matching windows, input pixels. Default 5 (11x11), range 1 to 7. */
   vtkSetClampMacro(WindowRadius, int, novelview::NonOutlineParameters::WindowRadius.Min,
     novelview::NonOutlineParameters::WindowRadius.Max);
   vtkGetMacro(WindowRadius, int);
   ///@}
 
   ///@{
-  /** Search range along the epipolar line, each way, input pixels. Default 6, range 0 to 64. */
+  /** Search range along the epipolar line, each way, input pixels. Default 24, range 0 to 64. */
   vtkSetClampMacro(MatchRange, int, novelview::NonOutlineParameters::MatchRangePx.Min,
     novelview::NonOutlineParameters::MatchRangePx.Max);
   vtkGetMacro(MatchRange, int);

@@ -4,6 +4,7 @@
 #include "FilterSupport.h"
 #include "ViewAccess.h"
 #include "geometry/EdgeSplitting.h"
+#include "geometry/NovelProjection.h"
 #include "geometry/Rasteriser.h"
 #include "geometry/Visibility.h"
 #include "vtkPinholeCamera.h"
@@ -177,6 +178,9 @@ int vtkVisibilityCuller::RequestData(
 
       const auto anyVisible = [&visible](const Eigen::Vector3i& t)
       { return visible[t[0]] || visible[t[1]] || visible[t[2]]; };
+      const novelview::NovelProjection projection(mesh, camera);
+      const auto isOccluder = [&](const Eigen::Vector3i& t)
+      { return !anyVisible(t) || !projection.Faces(t); };
       std::vector<int> keptIds;
       std::vector<int> removedIds;
       novelview::SplitMesh kept{ Extract(mesh, anyVisible, keptIds), {} };
@@ -188,9 +192,7 @@ int vtkVisibilityCuller::RequestData(
       novelview::FromTriangleMesh(kept.Mesh, output);
       SetPointData(input->GetPointData(), visible, keptIds, kept.Ends, output->GetPointData());
       novelview::FromTriangleMesh(
-        Extract(
-          mesh, [&](const Eigen::Vector3i& t) { return !anyVisible(t); }, removedIds),
-        vtkPolyData::GetData(outputs, 1));
+        Extract(mesh, isOccluder, removedIds), vtkPolyData::GetData(outputs, 1));
     });
 }
 

@@ -13,8 +13,9 @@
  *    through; added: `Visible` (uint8, 1 = visible) and `OriginalPointIds` (id of the point in the
  *    input; -1 for the middle of an edge that was cut, which has the mean of its ends' floating-point
  *    data, the integers of one end, and is visible when both are).
- *  - out 1: vtkPolyData, the triangles removed, likewise (without arrays): what still stands
- *    between the reference cameras and the object.
+ *  - out 1: vtkPolyData, the triangles removed and those that face away, likewise (without arrays):
+ *    what still stands between the reference cameras and the object when a deformer has left the
+ *    latter out, too.
  *
  * Differs from the paper: the same definition, found through a grid over the image plane instead of
  * comparing each vertex with every triangle. With MaximumEdgeLength what remains is made as fine as

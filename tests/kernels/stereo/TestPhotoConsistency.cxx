@@ -110,6 +110,33 @@ TEST(PhotoConsistency, SimilarityIsBlindToBrightnessAndContrast)
   EXPECT_LE(matcher.Similarity(a.AsView(), Middle, 0), 1 + 1e-12);
 }
 
+TEST(PhotoConsistency, ContrastDifferenceByHandOnARamp)
+{
+  const Picture a([](int x, int) { return 10 * x; });
+  const Picture brighter([](int x, int) { return 10 * x + 50; });
+  const Picture steeper([](int x, int) { return 20 * x - 80; });
+  const Picture flat([](int, int) { return 100; });
+  const WindowMatcher matcher(a.AsView(), Middle, 1);
+  EXPECT_NEAR(matcher.ContrastDifference(brighter.AsView(), Middle, 0), 0, 1e-12);
+  // Less the means -10, 0, 10 against -20, 0, 20 in each of three rows: 600 / (2 sqrt(600 . 2400)).
+  EXPECT_NEAR(matcher.ContrastDifference(steeper.AsView(), Middle, 0), 0.25, 1e-12);
+  // Three channels of nine pixels, noise of 108 per channel: 200 in the middle, 600 at the sides.
+  EXPECT_NEAR(matcher.ContrastDifference(brighter.AsView(), Middle, 12), 0, 1e-12);
+  EXPECT_NEAR(matcher.ContrastDifference(steeper.AsView(), Middle, 12),
+    600 / (2 * std::sqrt((600. + 108) * (2400 + 108))), 1e-12);
+  EXPECT_EQ(matcher.ContrastDifference(flat.AsView(), Middle), 1) << "cut at the worst";
+  EXPECT_EQ(matcher.ContrastDifference(a.AsView(), Vector2d(40, 8)), 1) << "outside the frame";
+}
+
+TEST(PhotoConsistency, VarianceTellsHowMuchAWindowCanTell)
+{
+  const Picture a([](int x, int) { return 10 * x; });
+  const Picture flat([](int, int) { return 100; });
+  EXPECT_NEAR(WindowMatcher(a.AsView(), Middle, 1).Variance(), 200. / 3, 1e-9);
+  EXPECT_EQ(WindowMatcher(flat.AsView(), Middle, 1).Variance(), 0);
+  EXPECT_EQ(WindowMatcher(a.AsView(), Vector2d(40, 8), 1).Variance(), 0);
+}
+
 TEST(PhotoConsistency, SimilarityOfAWindowOutsideTheObjectIsNothing)
 {
   Picture a([](int x, int y) { return 20 + (x * 7 + y * 13) % 90; });

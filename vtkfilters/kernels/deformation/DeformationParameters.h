@@ -20,16 +20,16 @@ struct OutlineParameters
   static constexpr Parameter<double> Beta{ 0.3, 0, 100 };
   static constexpr Parameter<double> SearchPx{ 4, 0.25, 50, "px" };
   static constexpr Parameter<int> WindowRadius{ 3, 1, 7, "px" };
-  static constexpr Parameter<double> SigmaPx{ 8, 0.5, 100, "px" };
+  static constexpr Parameter<double> SigmaPx{ 4, 0.5, 100, "px" };
 };
 
 /** Of NonOutlineOptions. */
 struct NonOutlineParameters
 {
   static constexpr Parameter<double> Alpha{ 0.3, 0, 100 };
-  static constexpr Parameter<double> SearchPx{ 4, 0.25, 100, "pixel footprints" };
-  static constexpr Parameter<int> WindowRadius{ 3, 1, 7, "px" };
-  static constexpr Parameter<int> MatchRangePx{ 6, 0, 64, "px" };
+  static constexpr Parameter<double> SearchPx{ 12, 0.25, 100, "pixel footprints" };
+  static constexpr Parameter<int> WindowRadius{ 5, 1, 7, "px" };
+  static constexpr Parameter<int> MatchRangePx{ 24, 0, 64, "px" };
 };
 }
 

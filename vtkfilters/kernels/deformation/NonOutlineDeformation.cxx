@@ -36,6 +36,7 @@ public:
     , Hull(views)
     , NeighbourViews(NearestNeighbours(views, options.Secondaries))
     , Options(options)
+    , Matching(options)
     , Run(execution)
     , Energies(mesh.Points.size())
     , Moves(mesh.Points.size(), 0)
@@ -60,6 +61,7 @@ public:
     bool converged = false;
     for (;; ++state.Iteration)
     {
+      this->Matching.MatchRangePx = this->RangeIn(state.Iteration);
       this->Measure();
       if (listener)
       {
@@ -78,10 +80,18 @@ public:
   }
 
 private:
+  /** How far to search along the epipolar line: less and less, as the points come nearer. */
+  int RangeIn(int iteration) const
+  {
+    const NonOutlineOptions& options = this->Options;
+    const int range = ToInt(options.MatchRangePx * std::pow(options.RangeDecay, iteration));
+    return std::min(std::max(range, options.MinRangePx), options.MatchRangePx);
+  }
+
   /** Energies where the points are, and the best move of each; the mesh stays as it is. */
   void Measure()
   {
-    this->Normals = VertexNormals(this->Mesh);
+    this->FindNormals();
     this->FindKeys();
     this->Run.ForEach(static_cast<std::int64_t>(this->Mesh.Points.size()),
       [&](std::int64_t ptId)
@@ -92,6 +102,26 @@ private:
           this->MeasurePoint(static_cast<int>(ptId));
         }
       });
+  }
+
+  /** The normals, each as its neighbourhood has it. */
+  void FindNormals()
+  {
+    this->Normals = VertexNormals(this->Mesh);
+    for (int round = 0; round < this->Options.NormalRounds; ++round)
+    {
+      const std::vector<Vector3d> before = this->Normals;
+      this->Run.ForEach(static_cast<std::int64_t>(before.size()),
+        [&](std::int64_t ptId)
+        {
+          Vector3d sum = before[ptId];
+          for (const int other : this->Neighbours.Points(static_cast<int>(ptId)))
+          {
+            sum += before[other];
+          }
+          this->Normals[ptId] = sum.norm() > 0 ? sum.normalized() : before[ptId];
+        });
+    }
   }
 
   /**
@@ -209,7 +239,7 @@ private:
       if (key >= 0)
       {
         subPoints =
-          MatchSecondaries(here, this->Views, key, this->NeighbourViews[key], this->Options);
+          MatchSecondaries(here, this->Views, key, this->NeighbourViews[key], this->Matching);
       }
     }
     std::vector<Vector3d> neighbours;
@@ -278,6 +308,7 @@ private:
   const SilhouetteField Hull;
   const std::vector<std::vector<int>> NeighbourViews;
   const NonOutlineOptions& Options;
+  NonOutlineOptions Matching; ///< with the range of the iteration
   const Execution& Run;
   std::vector<PointEnergy> Energies;
   std::vector<double> Moves;       ///< of each point, pixel footprints along its ray
@@ -373,7 +404,14 @@ std::vector<SubPoint> MatchSecondaries(const Vector3d& point, const std::vector<
         bestPixel = pixel;
       }
     };
-    for (int i = -options.MatchRangePx; i <= options.MatchRangePx; ++i)
+    const int stride = options.MatchStridePx;
+    const int last = options.MatchRangePx / stride * stride;
+    for (int i = -last; i <= last; i += stride)
+    {
+      look(i, 0);
+    }
+    const int coarse = bestAlong;
+    for (int i = coarse - stride + 1; i < coarse + stride; ++i)
     {
       look(i, 0);
     }

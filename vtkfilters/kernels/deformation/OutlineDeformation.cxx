@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deformation/OutlineDeformation.h"
 
+#include "core/Quantile.h"
 #include "core/ToInt.h"
+#include "deformation/OutlineEnergy.h"
 #include "geometry/MeshNeighbours.h"
 #include "geometry/NovelProjection.h"
+#include "geometry/Rasteriser.h"
 #include "geometry/ViewSelection.h"
 #include "stereo/PhotoConsistency.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace novelview
 {
@@ -18,26 +22,15 @@ namespace
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-bool InFrameOf(const View& view, const Vector3d& point, Vector2d& pixel)
-{
-  if (view.Cam.Depth(point) <= 0)
-  {
-    return false;
-  }
-  pixel = view.Cam.Project(point);
-  return view.Cam.InFrame(pixel);
-}
-
-/** An outline point with all that one iteration needs to know of it. */
+/** An outline point with all that an iteration needs to know of it. */
 struct OutlinePoint
 {
-  int Id;
-  Vector2d Pixel;
-  Vector2d Direction2; ///< unit, in the picture
-  Vector3d Step;       ///< world vector of one novel pixel along Direction2
-  PointEnergy Now;
-  /** Candidates better than Now, best first: (offset px, energy). */
-  std::vector<std::pair<double, PointEnergy>> Better;
+  int Id = -1;
+  int Key = -1; ///< of the photo-consistency; -1 = no two photographs tell of the point
+  std::vector<int> Secondaries;
+  Vector2d Direction = Vector2d::Zero(); ///< unit, in the picture; 0 = it has none
+  Vector3d Step = Vector3d::Zero();      ///< world vector of one novel pixel along Direction
+  double Offset = 0;                     ///< where the least energy is, novel pixels
 };
 
 class OutlineDeformer
@@ -47,21 +40,18 @@ public:
     const std::vector<View>& views, const Camera& novel, const OutlineOptions& options,
     const Execution& execution)
     : Mesh(NovelProjection::FacingPart(mesh, novel))
-    , Visible(visible.empty() ? std::vector<std::uint8_t>(mesh.Points.size(), 1) : visible)
     , Neighbours(this->Mesh)
     , Projection(this->Mesh, novel)
     , Views(views)
+    , Order(ViewsByAngle(views, novel.OpticalAxis()))
     , Novel(novel)
     , Options(options)
     , Run(execution)
     , Energies(mesh.Points.size())
     , Active(mesh.Points.size(), 0)
   {
-    const std::vector<int> order = ViewsByAngle(views, novel.OpticalAxis());
-    this->Key = order.front();
-    this->Secondaries = NearestNeighbours(views, options.Secondaries)[this->Key];
     const double minCosine = std::cos(options.NearAngleDeg * EIGEN_PI / 180);
-    for (const int viewId : order)
+    for (const int viewId : this->Order)
     {
       if (static_cast<int>(this->NearViews.size()) < options.NearViews &&
         views[viewId].Cam.OpticalAxis().dot(novel.OpticalAxis()) >= minCosine)
@@ -69,6 +59,8 @@ public:
         this->NearViews.push_back(viewId);
       }
     }
+    this->FindOutline(visible);
+    this->ChooseViews();
   }
 
   DeformationResult Deform(const DeformationListener& listener)
@@ -77,23 +69,29 @@ public:
     state.Mesh = &this->Mesh;
     state.Energies = &this->Energies;
     state.Active = &this->Active;
-    bool converged = false;
-    for (;; ++state.Iteration)
+    double mean = this->Measure();
+    const auto tell = [&]
     {
-      // The picture of iteration i is taken after its moves; iteration 0 only measures.
-      std::vector<OutlinePoint> points = this->FindOutline();
-      const bool last = converged || state.Iteration == this->Options.Iterations;
-      this->Measure(points, last);
       if (listener)
       {
         listener(state);
       }
-      if (last)
+    };
+    tell();
+    bool converged = false;
+    while (!converged && state.Iteration < this->Options.Iterations)
+    {
+      this->Run.Report(static_cast<double>(state.Iteration) / this->Options.Iterations);
+      this->FindMinima();
+      const double most =
+        this->Options.MaxMovePx * std::pow(this->Options.MoveDecay, state.Iteration);
+      if (!this->LowerEnergy(most, mean, state))
       {
+        converged = true;
         break;
       }
-      this->Run.Report(static_cast<double>(state.Iteration) / this->Options.Iterations);
-      this->Move(points, state);
+      ++state.Iteration;
+      tell();
       converged = state.LargestMovePx < this->Options.ConvergencePx;
     }
     return { std::move(this->Mesh), std::move(this->Energies), std::move(this->Active),
@@ -101,238 +99,283 @@ public:
   }
 
 private:
-  std::vector<OutlinePoint> FindOutline()
+  /** The points of the outline, which stay the same ones. */
+  void FindOutline(const std::vector<std::uint8_t>& visible)
   {
     const ItemBuffer silhouette = Rasterise(this->Mesh, this->Novel, this->Run);
-    std::vector<OutlinePoint> points;
-    std::fill(this->Active.begin(), this->Active.end(), 0);
-    std::fill(this->Energies.begin(), this->Energies.end(), PointEnergy());
     for (int ptId = 0; ptId < static_cast<int>(this->Mesh.Points.size()); ++ptId)
     {
-      if (!this->Visible[ptId] || this->Neighbours.Triangles(ptId).empty() ||
-        !OnContour(silhouette, this->Projection.Pixels[ptId]))
+      const Vector2d& pixel = this->Projection.Pixels[ptId];
+      if ((visible.empty() || visible[ptId]) && !this->Neighbours.Triangles(ptId).empty() &&
+        OnContour(silhouette, pixel) && OutlineDirection(silhouette, pixel))
       {
-        continue;
+        this->Points.emplace_back().Id = ptId;
+        this->Active[ptId] = 1;
       }
-      OutlinePoint point;
-      point.Id = ptId;
-      point.Pixel = this->Projection.Pixels[ptId];
-      const auto direction = OutlineDirection(silhouette, point.Pixel);
-      if (!direction)
-      {
-        continue;
-      }
-      point.Direction2 = *direction;
-      const double depth = this->Novel.Depth(this->Mesh.Points[ptId]);
-      point.Step = this->Novel.Unproject(point.Pixel + point.Direction2, depth) -
-        this->Novel.Unproject(point.Pixel, depth);
-      this->Active[ptId] = 1;
-      points.push_back(std::move(point));
     }
-    return points;
+    this->FindDirections(silhouette);
   }
 
-  /** Only what is less than `least` need be exact. */
+  void FindDirections(const ItemBuffer& silhouette)
+  {
+    for (OutlinePoint& point : this->Points)
+    {
+      const Vector2d& pixel = this->Projection.Pixels[point.Id];
+      point.Direction = OutlineDirection(silhouette, pixel).value_or(Vector2d::Zero());
+      const double depth = this->Novel.Depth(this->Mesh.Points[point.Id]);
+      point.Step =
+        this->Novel.Unproject(pixel + point.Direction, depth) - this->Novel.Unproject(pixel, depth);
+    }
+  }
+
+  /** Key and secondaries of every point: photographs that can tell where it belongs. */
+  void ChooseViews()
+  {
+    std::vector<Image<float>> depths(this->Views.size());
+    this->Run.ForEach(static_cast<std::int64_t>(this->Views.size()),
+      [&](std::int64_t viewId)
+      { depths[viewId] = RasteriseDepth(this->Mesh, this->Views[viewId].Cam); });
+    const double minCosine = std::cos(this->Options.MaxApartDeg * EIGEN_PI / 180);
+    this->Run.ForEach(static_cast<std::int64_t>(this->Points.size()),
+      [&](std::int64_t i)
+      {
+        OutlinePoint& point = this->Points[i];
+        const auto tells = [&](int viewId) {
+          return this->Tells(point, this->Views[viewId].Cam, std::as_const(depths[viewId]).Ref());
+        };
+        const auto key = std::find_if(this->Order.begin(), this->Order.end(), tells);
+        if (key == this->Order.end())
+        {
+          return;
+        }
+        const Vector3d axis = this->Views[*key].Cam.OpticalAxis();
+        for (const int viewId : ViewsByAngle(this->Views, axis))
+        {
+          if (viewId != *key && this->Views[viewId].Cam.OpticalAxis().dot(axis) > minCosine &&
+            static_cast<int>(point.Secondaries.size()) < this->Options.Secondaries && tells(viewId))
+          {
+            point.Secondaries.push_back(viewId);
+          }
+        }
+        point.Key = point.Secondaries.empty() || this->IsFlat(point, *key) ? -1 : *key;
+      });
+  }
+
+  /** Whether a camera lies on the moving side of a point and sees it. */
+  bool Tells(const OutlinePoint& point, const Camera& camera, ImageRef<const float> depth) const
+  {
+    const Vector3d& here = this->Mesh.Points[point.Id];
+    const double z = camera.Depth(here);
+    if (point.Step.normalized().dot((camera.Centre() - here).normalized()) <
+        this->Options.MinFacing ||
+      z <= 0)
+    {
+      return false;
+    }
+    const Vector2d pixel = camera.Project(here);
+    return camera.InFrame(pixel) &&
+      OcclusionDepth(depth, pixel, z) < this->Options.BehindPx * camera.PixelFootprint(z);
+  }
+
+  /** Whether the photograph is flat where it shows what lies behind the point. */
+  bool IsFlat(const OutlinePoint& point, int key) const
+  {
+    const Vector3d inside = this->Mesh.Points[point.Id] - this->Options.WindowRadius * point.Step;
+    const View& view = this->Views[key];
+    return view.Cam.Depth(inside) <= 0 ||
+      WindowMatcher(view, view.Cam.Project(inside), this->Options.WindowRadius).Variance() <
+      this->Options.MinVariance;
+  }
+
+  std::vector<Vector3d> OutlineNeighbours(int ptId) const
+  {
+    std::vector<Vector3d> neighbours;
+    for (const int other : this->Neighbours.Points(ptId))
+    {
+      if (this->Active[other])
+      {
+        neighbours.push_back(this->Mesh.Points[other]);
+      }
+    }
+    return neighbours;
+  }
+
   PointEnergy EnergyAt(const OutlinePoint& point, const Vector3d& position,
-    const std::vector<Vector3d>& outlineNeighbours, double least) const
+    const std::vector<Vector3d>& neighbours) const
   {
     PointEnergy energy;
     energy.Contour =
       OutlineContourEnergy(position, this->Views, this->NearViews, this->Options.SigmaPx);
-    energy.Smooth = OutlineSmoothnessEnergy(position, point.Step.normalized(), outlineNeighbours);
-    energy.Total = this->Options.Alpha * energy.Contour + this->Options.Beta * energy.Smooth;
-    if (energy.Total < least)
-    {
-      energy.Photo = OutlinePhotoEnergy(
-        position, this->Views, this->Key, this->Secondaries, this->Options.WindowRadius);
-      energy.Total += energy.Photo;
-    }
+    energy.Smooth = OutlineSmoothnessEnergy(position, point.Step.normalized(), neighbours);
+    energy.Photo = point.Key < 0 ? 0
+                                 : OutlinePhotoEnergy(position, this->Views, point.Key,
+                                     point.Secondaries, this->Options.WindowRadius);
+    energy.Total =
+      energy.Photo + this->Options.Alpha * energy.Contour + this->Options.Beta * energy.Smooth;
     return energy;
   }
 
-  /** Energies of all outline points where they are and, unless `only`, of their candidates. */
-  void Measure(std::vector<OutlinePoint>& points, bool onlyHere)
+  /** The energies where the points are; returns their mean. */
+  double Measure()
   {
-    this->Run.ForEach(static_cast<std::int64_t>(points.size()),
+    this->Run.ForEach(static_cast<std::int64_t>(this->Points.size()),
       [&](std::int64_t i)
       {
-        OutlinePoint& point = points[i];
-        const Vector3d here = this->Mesh.Points[point.Id];
-        std::vector<Vector3d> neighbours;
-        for (const int other : this->Neighbours.Points(point.Id))
-        {
-          if (this->Active[other])
-          {
-            neighbours.push_back(this->Mesh.Points[other]);
-          }
-        }
-        point.Now =
-          this->EnergyAt(point, here, neighbours, std::numeric_limits<double>::infinity());
-        this->Energies[point.Id] = point.Now;
-        const int steps = onlyHere ? 0 : ToInt(this->Options.SearchPx / this->Options.StepPx + 0.5);
-        for (int step = -steps; step <= steps; ++step)
-        {
-          const double offset = step * this->Options.StepPx;
-          if (step == 0)
-          {
-            continue;
-          }
-          const PointEnergy energy =
-            this->EnergyAt(point, here + offset * point.Step, neighbours, point.Now.Total);
-          if (energy.Total < point.Now.Total)
-          {
-            point.Better.emplace_back(offset, energy);
-          }
-        }
-        std::stable_sort(point.Better.begin(), point.Better.end(),
-          [](const auto& a, const auto& b) { return a.second.Total < b.second.Total; });
+        const OutlinePoint& point = this->Points[i];
+        this->Energies[point.Id] =
+          this->EnergyAt(point, this->Mesh.Points[point.Id], this->OutlineNeighbours(point.Id));
       });
+    double sum = 0;
+    for (const OutlinePoint& point : this->Points)
+    {
+      sum += this->Energies[point.Id].Total;
+    }
+    return this->Points.empty() ? 0 : sum / static_cast<double>(this->Points.size());
   }
 
-  /** One after the other, since each move decides which moves of its neighbours would fold. */
-  void Move(const std::vector<OutlinePoint>& points, DeformationState& state)
+  /** Where the least energy of every point is, if it is distinct, and the median about it. */
+  void FindMinima()
   {
+    std::vector<double> offsets(this->Mesh.Points.size(), 0);
+    this->Run.ForEach(static_cast<std::int64_t>(this->Points.size()),
+      [&](std::int64_t i)
+      {
+        const OutlinePoint& point = this->Points[i];
+        offsets[point.Id] = point.Key < 0 ? 0 : this->MinimumOf(point);
+      });
+    this->Run.ForEach(static_cast<std::int64_t>(this->Points.size()),
+      [&](std::int64_t i)
+      { this->Points[i].Offset = this->MedianOverOutline(this->Points[i].Id, offsets); });
+  }
+
+  double MinimumOf(const OutlinePoint& point) const
+  {
+    const OutlineOptions& options = this->Options;
+    const Vector3d here = this->Mesh.Points[point.Id];
+    const std::vector<Vector3d> neighbours = this->OutlineNeighbours(point.Id);
+    const auto energyAt = [&](double offset)
+    { return this->EnergyAt(point, here + offset * point.Step, neighbours); };
+    const int steps = ToInt(options.SearchPx / options.StepPx + 0.5);
+    const PointEnergy& now = this->Energies[point.Id];
+    double least = now.Total - options.Margin;
+    const double maxPhoto = std::min(options.MaxPhoto, options.MaxPhotoShare * now.Photo);
+    double best = 0;
+    for (int step = -steps; step <= steps; ++step)
+    {
+      const PointEnergy energy = energyAt(step * options.StepPx);
+      if (energy.Total < least && energy.Photo <= maxPhoto)
+      {
+        least = energy.Total;
+        best = step * options.StepPx;
+      }
+    }
+    const auto rises = [&](double side)
+    {
+      for (double away = 2 * options.StepPx; away <= options.RisePx; away += 2 * options.StepPx)
+      {
+        if (energyAt(best + side * away).Total > least + options.Rise)
+        {
+          return true;
+        }
+      }
+      return false;
+    };
+    return best != 0 && rises(-1) && rises(1) ? best : 0;
+  }
+
+  /** Over the point and the outline points up to two edges away. */
+  double MedianOverOutline(int ptId, const std::vector<double>& offsets) const
+  {
+    std::vector<double> values{ offsets[ptId] };
+    for (const int other : this->Neighbours.Points(ptId))
+    {
+      if (this->Active[other])
+      {
+        values.push_back(offsets[other]);
+      }
+      for (const int next : this->Neighbours.Points(other))
+      {
+        if (this->Active[next] && next != ptId)
+        {
+          values.push_back(offsets[next]);
+        }
+      }
+    }
+    std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+    return values[values.size() / 2];
+  }
+
+  /** Moves towards the minima as far as that lowers the mean energy; returns whether it did. */
+  bool LowerEnergy(double most, double& mean, DeformationState& state)
+  {
+    constexpr int halvings = 3;
+    const std::vector<Vector3d> points = this->Mesh.Points;
+    const std::vector<Vector2d> pixels = this->Projection.Pixels;
+    const std::vector<PointEnergy> energies = this->Energies;
+    for (int halving = 0; halving < halvings; ++halving)
+    {
+      this->Move(most / (1 << halving), state);
+      if (state.PointsMoved == 0)
+      {
+        return false;
+      }
+      this->FindDirections(Rasterise(this->Mesh, this->Novel, this->Run));
+      if (const double now = this->Measure(); now < mean)
+      {
+        mean = now;
+        return true;
+      }
+      this->Mesh.Points = points;
+      this->Projection.Pixels = pixels;
+      this->Energies = energies;
+      this->FindDirections(Rasterise(this->Mesh, this->Novel, this->Run));
+    }
+    return false;
+  }
+
+  void Move(double most, DeformationState& state)
+  {
+    std::vector<Vector2d> moves(this->Mesh.Points.size(), Vector2d::Zero());
+    for (const OutlinePoint& point : this->Points)
+    {
+      moves[point.Id] = std::clamp(point.Offset, -most, most) * point.Direction;
+    }
+    SpreadMoves(this->Neighbours, this->Active, this->Options.Membrane, moves, this->Run);
+    ShortenFoldingMoves(this->Mesh, this->Projection.Pixels, moves);
     state.PointsMoved = 0;
     state.LargestMovePx = 0;
-    for (const OutlinePoint& point : points)
+    for (std::size_t ptId = 0; ptId < moves.size(); ++ptId)
     {
-      for (const auto& [offset, energy] : point.Better)
+      constexpr double nothing = 1e-3; // pixels
+      const double length = moves[ptId].norm();
+      if (length < nothing || this->Neighbours.Triangles(static_cast<int>(ptId)).empty())
       {
-        const Vector2d pixel = point.Pixel + offset * point.Direction2;
-        if (this->Projection.KeepsOrientation(this->Mesh, this->Neighbours, point.Id, pixel))
-        {
-          this->Mesh.Points[point.Id] += offset * point.Step;
-          this->Projection.Pixels[point.Id] = pixel;
-          ++state.PointsMoved;
-          state.LargestMovePx = std::max(state.LargestMovePx, std::abs(offset));
-          break;
-        }
+        continue;
+      }
+      const double depth = this->Novel.Depth(this->Mesh.Points[ptId]);
+      this->Projection.Pixels[ptId] += moves[ptId];
+      this->Mesh.Points[ptId] = this->Novel.Unproject(this->Projection.Pixels[ptId], depth);
+      if (this->Active[ptId])
+      {
+        ++state.PointsMoved;
+        state.LargestMovePx = std::max(state.LargestMovePx, length);
       }
     }
   }
 
   TriangleMesh Mesh;
-  std::vector<std::uint8_t> Visible;
   MeshNeighbours Neighbours;
   NovelProjection Projection;
   const std::vector<View>& Views;
+  const std::vector<int> Order; ///< of the views, the nearest to the novel one first
   const Camera& Novel;
   const OutlineOptions& Options;
   const Execution& Run;
   std::vector<PointEnergy> Energies;
   std::vector<std::uint8_t> Active;
-  int Key = 0;
-  std::vector<int> Secondaries;
+  std::vector<OutlinePoint> Points;
   std::vector<int> NearViews;
 };
-}
-
-std::optional<Vector2d> OutlineDirection(const ItemBuffer& silhouette, const Vector2d& projection)
-{
-  const int x = RoundToInt(projection.x());
-  const int y = RoundToInt(projection.y());
-  Vector2d sum = Vector2d::Zero();
-  int background = 0;
-  int model = 0;
-  const auto cells = silhouette.CellId.Ref();
-  for (int j = y - 2; j <= y + 2; ++j)
-  {
-    for (int i = x - 2; i <= x + 2; ++i)
-    {
-      if (!cells.Contains(i, j))
-      {
-        continue;
-      }
-      if (silhouette.Hit(i, j))
-      {
-        ++model;
-        continue;
-      }
-      sum += Vector2d(i, j);
-      ++background;
-    }
-  }
-  if (background == 0 || model == 0)
-  {
-    return std::nullopt;
-  }
-  const Vector2d towards = sum / background - projection;
-  const double length = towards.norm();
-  if (length < 1e-9)
-  {
-    return std::nullopt;
-  }
-  return towards / length;
-}
-
-bool OnContour(const ItemBuffer& silhouette, const Vector2d& projection)
-{
-  const int x = RoundToInt(projection.x());
-  const int y = RoundToInt(projection.y());
-  const auto cells = silhouette.CellId.Ref();
-  bool background = false;
-  bool model = false;
-  for (int j = y - 1; j <= y + 1; ++j)
-  {
-    for (int i = x - 1; i <= x + 1; ++i)
-    {
-      if (cells.Contains(i, j))
-      {
-        (silhouette.Hit(i, j) ? model : background) = true;
-      }
-    }
-  }
-  return background && model;
-}
-
-double OutlinePhotoEnergy(const Vector3d& point, const std::vector<View>& views, int key,
-  const std::vector<int>& secondaries, int windowRadius)
-{
-  Vector2d keyPixel;
-  if (secondaries.empty() || !InFrameOf(views[key], point, keyPixel))
-  {
-    return 1;
-  }
-  const WindowMatcher window(views[key], keyPixel, windowRadius);
-  double sum = 0;
-  for (const int viewId : secondaries)
-  {
-    Vector2d pixel;
-    sum += InFrameOf(views[viewId], point, pixel) ? window.Difference(views[viewId], pixel) : 1;
-  }
-  return sum / static_cast<double>(secondaries.size());
-}
-
-double OutlineContourEnergy(const Vector3d& point, const std::vector<View>& views,
-  const std::vector<int>& nearViews, double sigmaPx)
-{
-  double sum = 0;
-  int count = 0;
-  for (const int viewId : nearViews)
-  {
-    Vector2d pixel;
-    if (InFrameOf(views[viewId], point, pixel))
-    {
-      const double distance =
-        std::abs(SampleBilinear(views[viewId].ContourDistance, pixel.x(), pixel.y()));
-      sum += std::min(distance, sigmaPx) / sigmaPx;
-      ++count;
-    }
-  }
-  return count ? sum / count : 0;
-}
-
-double OutlineSmoothnessEnergy(
-  const Vector3d& point, const Vector3d& direction, const std::vector<Vector3d>& neighbours)
-{
-  double sum = 0;
-  for (const Vector3d& neighbour : neighbours)
-  {
-    const Vector3d towards = neighbour - point;
-    const double length = towards.norm();
-    sum += length > 0 ? std::abs(direction.dot(towards)) / length : 0;
-  }
-  return neighbours.empty() ? 0 : sum / static_cast<double>(neighbours.size());
 }
 
 DeformationResult DeformOutline(const TriangleMesh& mesh, const std::vector<std::uint8_t>& visible,

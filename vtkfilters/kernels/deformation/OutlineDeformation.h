@@ -5,10 +5,9 @@
 #include "core/Execution.h"
 #include "deformation/Deformation.h"
 #include "deformation/DeformationParameters.h"
-#include "geometry/Rasteriser.h"
+#include "deformation/Membrane.h"
 #include "geometry/View.h"
 
-#include <optional>
 #include <vector>
 
 namespace novelview
@@ -21,56 +20,54 @@ struct OutlineOptions
   double Beta = OutlineParameters::Beta.Default;
   /** At most; 0 only measures. */
   int Iterations = DeformationParameters::Iterations.Default;
-  /** How far a point may move in one iteration, novel pixels. */
+
+  // ---- the search
+  /** How far to either side candidates lie, novel pixels. */
   double SearchPx = OutlineParameters::SearchPx.Default;
-  double StepPx = 0.25;        ///< spacing of the candidates, novel pixels
-  double ConvergencePx = 0.05; ///< stop when no point moves further
+  double StepPx = 0.5;        ///< spacing of the candidates, novel pixels
+  double MaxMovePx = 1.5;     ///< how far a point goes in the first iteration, novel pixels
+  double MoveDecay = 0.8;     ///< of MaxMovePx from iteration to iteration
+  double ConvergencePx = 0.1; ///< stop when no point moves further
+
+  // ---- the terms
   /** Of the photo-consistency windows, input pixels. */
   int WindowRadius = OutlineParameters::WindowRadius.Default;
-  int Secondaries = 2; ///< the key's neighbours
+  int Secondaries = 2;     ///< the key's neighbours, at most
+  double MinFacing = 0.4;  ///< a view that is compared lies so far on the moving side, cosine
+  double MaxApartDeg = 62; ///< and a secondary no further from the key
+  double BehindPx = 3;     ///< and the model hides the point by no more, input pixel footprints
   /** Sigma of the contour energy, input pixels. */
   double SigmaPx = OutlineParameters::SigmaPx.Default;
-  int NearViews = 4;        ///< views of the contour energy, at most
+  int NearViews = 2;        ///< views of the contour energy, at most
   double NearAngleDeg = 45; ///< and no further from the novel view than this
+
+  // ---- when a minimum counts
+  double MinVariance = 60;    ///< of the key window, grey levels squared; flatter ones say nothing
+  double Margin = 0.05;       ///< the energy must fall by more
+  double MaxPhoto = 0.2;      ///< E_s there is no more,
+  double MaxPhotoShare = 0.5; ///< nor more than this part of what it is where the point is
+  double Rise = 0.05;         ///< and the energy rises by more to both sides,
+  double RisePx = 6;          ///< within this, novel pixels
+
+  MembraneOptions Membrane;
 };
-
-// ---- the terms, one function each --------------------------------------------------------------
-
-/**
- * The moving direction in the picture: from the projection to the centroid of the background pixels
- * of the 5x5 window around it, unit length. Nothing when the window is all model or all background,
- * or the centroid is the centre. Pixels outside the frame are neither.
- */
-std::optional<Eigen::Vector2d> OutlineDirection(
-  const ItemBuffer& silhouette, const Eigen::Vector2d& projection);
-
-/** Does the projection lie on the contour of the silhouette: model and background within a pixel? */
-bool OnContour(const ItemBuffer& silhouette, const Eigen::Vector2d& projection);
-
-/** E_s [2]: mean WindowMatcher::Difference of the key with each secondary; the worst, 1, without any. */
-double OutlinePhotoEnergy(const Eigen::Vector3d& point, const std::vector<View>& views, int key,
-  const std::vector<int>& secondaries, int windowRadius);
-
-/** E_c [4]: mean over the near views of min(d, sigma) / sigma; 0 when none sees the point. */
-double OutlineContourEnergy(const Eigen::Vector3d& point, const std::vector<View>& views,
-  const std::vector<int>& nearViews, double sigmaPx);
-
-/**
- * E_r [5]: mean over the neighbours of |direction . unit(neighbour - point)|; 0 on a straight
- * outline, 0 without neighbours. `direction` is a unit vector.
- */
-double OutlineSmoothnessEnergy(const Eigen::Vector3d& point, const Eigen::Vector3d& direction,
-  const std::vector<Eigen::Vector3d>& neighbours);
-
-// ---- the stage -----------------------------------------------------------------------------------
 
 /**
  * Moves the outline points of a mesh: the visible points whose projection lies on the contour of
- * the model's own silhouette in the novel view. Each moves along its direction, in the plane
- * through it parallel to the novel image plane, both ways, to the candidate with the least
- * E = E_s + Alpha E_c + Beta E_r [1], and only if that is less than its energy where it is and no
- * triangle around it flips in the novel view. Repeated until the largest move is under
- * ConvergencePx or the iterations are used up.
+ * the model's own silhouette in the novel view. Each looks along its direction, in the plane
+ * through it parallel to the novel image plane, both ways, for the candidate with the least
+ *
+ *     E = E_s + Alpha E_c + Beta E_r   [1]
+ *
+ * The paper leaves open which photographs can tell. A point of the outline is seen by the cameras on
+ * its moving side only, so E_s compares those: the key is the one of them nearest the novel view,
+ * the secondaries its neighbours among them. Points that fewer than two see, and flat windows, tell
+ * nothing. A minimum must be distinct (Margin, MaxPhoto, Rise); of the moves so found each point
+ * takes the median of its own and its outline neighbours', as points of one smooth outline.
+ *
+ * The points behind the outline follow as a membrane (the paper's own picture of the mesh). All moves
+ * of an iteration are taken back and halved while they do not lower the mean energy; when that does
+ * not help, or the largest move is under ConvergencePx, the iterations end.
  *
  * Triangles that face away from the novel camera are dropped first.
  *

@@ -3,7 +3,7 @@
 
 #include "core/FillHolesIteratively.h"
 #include "deformation/NonOutlineDeformation.h"
-#include "deformation/OutlineDeformation.h"
+#include "deformation/OutlineEnergy.h"
 #include "fusion/RayMarcher.h"
 #include "geometry/MeshNeighbours.h"
 #include "geometry/NovelProjection.h"

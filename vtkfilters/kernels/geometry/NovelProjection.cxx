@@ -5,11 +5,13 @@ namespace novelview
 {
 NovelProjection::NovelProjection(const TriangleMesh& mesh, const Camera& camera)
   : Pixels(mesh.Points.size(), Eigen::Vector2d::Zero())
+  , InFront(mesh.Points.size(), 0)
 {
   for (std::size_t i = 0; i < mesh.Points.size(); ++i)
   {
     if (camera.Depth(mesh.Points[i]) > 0)
     {
+      this->InFront[i] = 1;
       this->Pixels[i] = camera.Project(mesh.Points[i]);
     }
   }
@@ -22,15 +24,18 @@ TriangleMesh NovelProjection::FacingPart(const TriangleMesh& mesh, const Camera&
   part.Points = mesh.Points;
   for (const Eigen::Vector3i& t : mesh.Triangles)
   {
-    const bool inFront = camera.Depth(mesh.Points[t[0]]) > 0 &&
-      camera.Depth(mesh.Points[t[1]]) > 0 && camera.Depth(mesh.Points[t[2]]) > 0;
-    if (inFront &&
-      ProjectedArea(projection.Pixels[t[0]], projection.Pixels[t[1]], projection.Pixels[t[2]]) < 0)
+    if (projection.Faces(t))
     {
       part.Triangles.push_back(t);
     }
   }
   return part;
+}
+
+bool NovelProjection::Faces(const Eigen::Vector3i& t) const
+{
+  return this->InFront[t[0]] && this->InFront[t[1]] && this->InFront[t[2]] &&
+    ProjectedArea(this->Pixels[t[0]], this->Pixels[t[1]], this->Pixels[t[2]]) < 0;
 }
 
 bool NovelProjection::KeepsOrientation(const TriangleMesh& mesh, const TrianglesOfPoints& around,

@@ -6,6 +6,7 @@
 #include "geometry/MeshNeighbours.h"
 #include "geometry/TriangleMesh.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace novelview
@@ -30,11 +31,15 @@ public:
   /** The triangles with negative projected area (counter-clockwise seen, y pointing down). */
   static TriangleMesh FacingPart(const TriangleMesh& mesh, const Camera& camera);
 
+  /** Whether a triangle's outside faces the camera, and all of it lies in front. */
+  bool Faces(const Eigen::Vector3i& triangle) const;
+
   /** Would the triangles around a point keep their orientation if it projected to `moved`? */
   bool KeepsOrientation(const TriangleMesh& mesh, const TrianglesOfPoints& around, int pointId,
     const Eigen::Vector2d& moved) const;
 
   std::vector<Eigen::Vector2d> Pixels;
+  std::vector<std::uint8_t> InFront; ///< whether a point lies before the camera's plane
 };
 }
 

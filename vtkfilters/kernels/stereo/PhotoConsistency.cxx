@@ -303,6 +303,17 @@ struct WindowPair
       this->AB += sums.AB[i];
     }
   }
+
+  /** Makes the sums of products those of the values less their channels' means. */
+  void SubtractMeans()
+  {
+    for (int channel = 0; channel < 3; ++channel)
+    {
+      this->AA -= this->A[channel] * this->A[channel] / this->Pixels;
+      this->BB -= this->B[channel] * this->B[channel] / this->Pixels;
+      this->AB -= this->A[channel] * this->B[channel] / this->Pixels;
+    }
+  }
 };
 
 bool TooFew(double pixels, int radius)
@@ -341,14 +352,36 @@ double WindowMatcher::Similarity(const View& other, const Vector2d& otherCentre,
   {
     return 0;
   }
-  for (int channel = 0; channel < 3; ++channel)
-  {
-    sums.AA -= sums.A[channel] * sums.A[channel] / sums.Pixels;
-    sums.BB -= sums.B[channel] * sums.B[channel] / sums.Pixels;
-    sums.AB -= sums.A[channel] * sums.B[channel] / sums.Pixels;
-  }
+  sums.SubtractMeans();
   const double floor = 3 * sums.Pixels * noise;
   return std::max(sums.AB, 0.0) / std::sqrt((sums.AA + floor) * (sums.BB + floor));
+}
+
+double WindowMatcher::ContrastDifference(
+  const View& other, const Vector2d& otherCentre, double noise) const
+{
+  PhotoWindow window;
+  ReadWindow(other, otherCentre, this->Radius, window);
+  WindowPair sums(this->Key, window, this->Radius);
+  if (TooFew(sums.Pixels, this->Radius))
+  {
+    return 1;
+  }
+  sums.SubtractMeans();
+  const double floor = 3 * sums.Pixels * noise;
+  const double squares = std::max(sums.AA - 2 * sums.AB + sums.BB, 0.0);
+  return std::min(squares / (2 * std::sqrt((sums.AA + floor) * (sums.BB + floor))), 1.0);
+}
+
+double WindowMatcher::Variance() const
+{
+  WindowPair sums(this->Key, this->Key, this->Radius);
+  if (TooFew(sums.Pixels, this->Radius))
+  {
+    return 0;
+  }
+  sums.SubtractMeans();
+  return std::max(sums.AA, 0.0) / (3 * sums.Pixels);
 }
 
 bool Triangulate(const Camera& key, const Vector2d& keyPixel, const Camera& other,

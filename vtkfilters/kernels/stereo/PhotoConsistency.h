@@ -46,6 +46,24 @@ public:
    */
   double Similarity(const View& other, const Eigen::Vector2d& otherCentre, double noise = 12) const;
 
+  /**
+   * The normalised sum of squared differences of the colours less their windows' means, channel by
+   * channel:
+   *
+   *     w = sum M (J_key - J_k)^2 / (2 sqrt((sum M J_key^2 + noise) (sum M J_k^2 + noise)))
+   *
+   * with J the colours less the means, from 0 (equal but for brightness) to 1 (unrelated, or the
+   * windows say nothing). `noise` as for Similarity().
+   */
+  double ContrastDifference(
+    const View& other, const Eigen::Vector2d& otherCentre, double noise = 12) const;
+
+  /**
+   * Variance of the key window's object pixels about the means of their channels, grey levels
+   * squared: how much the window can tell. 0 when less than a quarter of it is object.
+   */
+  double Variance() const;
+
 private:
   int Radius;
   PhotoWindow Key;
