@@ -168,7 +168,7 @@ std::string NumberedName(
   std::string digits = std::to_string(number);
   for (int zeros = 0; zeros < 8; ++zeros)
   {
-    const std::string name = base + digits + "." + format;
+    std::string name = base + digits + "." + format;
     if (fs::is_regular_file(folder / name, failure))
     {
       return name;

@@ -92,12 +92,12 @@ private:
 fs::path PhotoOf(const fs::path& folder, const std::string& filePath)
 {
   std::error_code failure;
-  const fs::path said = (folder / filePath).lexically_normal();
+  fs::path said = (folder / filePath).lexically_normal();
   if (!fs::is_regular_file(said, failure))
   {
     for (const char* extension : { ".png", ".jpg", ".jpeg", ".PNG", ".JPG", ".JPEG" })
     {
-      const fs::path whole = said.string() + extension;
+      fs::path whole = said.string() + extension;
       if (fs::is_regular_file(whole, failure))
       {
         return whole;

@@ -60,7 +60,7 @@ struct ViewNodes
 
   std::vector<double> Needed(const std::string& key, std::size_t count) const
   {
-    const std::vector<double> numbers = this->Numbers(key);
+    std::vector<double> numbers = this->Numbers(key);
     if (numbers.size() != count)
     {
       throw Error(this->Where, "wrong length of \"" + key + "\"",
@@ -263,8 +263,8 @@ cv::Mat CoefficientsOf(const Lens& lens)
 
 cv::Mat MatOf(const Eigen::Matrix3d& matrix)
 {
-  const RowMajor3 rows = matrix;
-  return cv::Mat(3, 3, CV_64F, const_cast<double*>(rows.data())).clone();
+  RowMajor3 rows = matrix;
+  return cv::Mat(3, 3, CV_64F, rows.data()).clone();
 }
 
 std::vector<FileContent> ComposeOpenCv(

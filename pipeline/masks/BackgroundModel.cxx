@@ -96,8 +96,8 @@ cv::Vec3d BackgroundColour(const cv::Mat& photo, const cv::Mat& border, int limi
   const auto fullest = std::max_element(
     bins.begin(), bins.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
   const int bin = fullest->first;
-  cv::Vec3d colour =
-    (cv::Vec3d(bin / 256, bin / 16 % 16, bin % 16) + cv::Vec3d(0.5, 0.5, 0.5)) * binLevels;
+  const cv::Vec3i cell(bin / 256, bin / 16 % 16, bin % 16);
+  cv::Vec3d colour = (cv::Vec3d(cell) + cv::Vec3d(0.5, 0.5, 0.5)) * binLevels;
   for (int step = 0; step < 5; ++step)
   {
     colour = MeanAround(colours, colour, binLevels);
