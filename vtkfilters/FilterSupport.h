@@ -62,6 +62,13 @@ int RunGuarded(vtkAlgorithm* filter, vtkInformationVector* outputs, const Body& 
   }
 }
 
+/** The type of an input port: the views at one of them, vtkPolyData at the others. */
+inline void SetInputType(vtkInformation* info, int port, int viewsPort)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(),
+    port == viewsPort ? "vtkMultiBlockDataSet" : "vtkPolyData");
+}
+
 // ---- the camera member of a filter ----------------------------------------------------------
 
 inline void SetCameraMember(

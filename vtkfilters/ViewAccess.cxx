@@ -243,6 +243,11 @@ double AttachedNumber(vtkDataObject* to, const char* name, double otherwise)
   return found && found->GetNumberOfTuples() > 0 ? found->GetComponent(0, 0) : otherwise;
 }
 
+std::vector<View> ReadColouredViews(vtkMultiBlockDataSet* views, std::size_t atLeast)
+{
+  return ReadViews(views, { true, true, true }, atLeast);
+}
+
 Camera ToCamera(vtkPinholeCamera* camera)
 {
   Camera result;

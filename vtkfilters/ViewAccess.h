@@ -99,6 +99,10 @@ struct ViewNeeds
 VTKNOVELVIEWFILTERS_EXPORT std::vector<View> ReadViews(
   vtkMultiBlockDataSet* views, const ViewNeeds& needs, std::size_t atLeast = 1);
 
+/** ReadViews() with Color, Mask and ContourDistance: what stages that look at pixels need. */
+VTKNOVELVIEWFILTERS_EXPORT std::vector<View> ReadColouredViews(
+  vtkMultiBlockDataSet* views, std::size_t atLeast = 1);
+
 VTKNOVELVIEWFILTERS_EXPORT Camera ToCamera(vtkPinholeCamera* camera);
 VTKNOVELVIEWFILTERS_EXPORT void FromCamera(const Camera& camera, vtkPinholeCamera* out);
 VTKNOVELVIEWFILTERS_EXPORT vtkSmartPointer<vtkPinholeCamera> NewPinholeCamera(const Camera& camera);

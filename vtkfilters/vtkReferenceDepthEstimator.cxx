@@ -28,8 +28,7 @@ vtkReferenceDepthEstimator::vtkReferenceDepthEstimator()
 //------------------------------------------------------------------------------
 int vtkReferenceDepthEstimator::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(
-    vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkMultiBlockDataSet" : "vtkPolyData");
+  novelview::SetInputType(info, port, 0);
   return 1;
 }
 
@@ -39,9 +38,7 @@ namespace
 void AttachComparisons(vtkMultiBlockDataSet* output, const novelview::TriangleMesh& hull,
   const novelview::Execution& execution)
 {
-  novelview::ViewNeeds needs;
-  needs.Color = needs.ContourDistance = true;
-  const std::vector<novelview::View> views = novelview::ReadViews(output, needs, 2);
+  const std::vector<novelview::View> views = novelview::ReadColouredViews(output, 2);
   const double footprint = novelview::MedianFootprint(views, hull.Points);
   if (footprint <= 0)
   {
@@ -70,9 +67,7 @@ int vtkReferenceDepthEstimator::RequestData(
     [&]
     {
       vtkMultiBlockDataSet* input = vtkMultiBlockDataSet::GetData(inputs[0]);
-      novelview::ViewNeeds needs;
-      needs.Color = needs.ContourDistance = true;
-      const std::vector<novelview::View> views = novelview::ReadViews(input, needs, 2);
+      const std::vector<novelview::View> views = novelview::ReadColouredViews(input, 2);
       const novelview::TriangleMesh hull =
         novelview::ToTriangleMesh(vtkPolyData::GetData(inputs[1]), "hull");
 

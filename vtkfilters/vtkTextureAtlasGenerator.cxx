@@ -85,8 +85,7 @@ vtkTextureAtlasGenerator::vtkTextureAtlasGenerator()
 //------------------------------------------------------------------------------
 int vtkTextureAtlasGenerator::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(
-    vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 1 ? "vtkMultiBlockDataSet" : "vtkPolyData");
+  novelview::SetInputType(info, port, 1);
   return 1;
 }
 
@@ -118,10 +117,8 @@ int vtkTextureAtlasGenerator::RequestData(
     {
       const novelview::TriangleMesh mesh =
         novelview::ToTriangleMesh(vtkPolyData::GetData(inputs[0]), "mesh");
-      novelview::ViewNeeds needs;
-      needs.Color = needs.ContourDistance = true;
       const std::vector<novelview::View> views =
-        novelview::ReadViews(vtkMultiBlockDataSet::GetData(inputs[1]), needs);
+        novelview::ReadColouredViews(vtkMultiBlockDataSet::GetData(inputs[1]));
 
       novelview::TextureAtlasOptions options;
       options.LargestSidePx = this->TextureSize;

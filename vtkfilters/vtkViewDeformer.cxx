@@ -116,8 +116,7 @@ vtkMTimeType vtkViewDeformer::GetMTime()
 //------------------------------------------------------------------------------
 int vtkViewDeformer::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(
-    vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 1 ? "vtkMultiBlockDataSet" : "vtkPolyData");
+  novelview::SetInputType(info, port, 1);
   return 1;
 }
 
@@ -129,11 +128,9 @@ int vtkViewDeformer::RequestData(
     [&]
     {
       vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
-      novelview::ViewNeeds needs;
-      needs.Color = needs.ContourDistance = true;
       const Work work{ novelview::RequireCamera(this->Camera),
         novelview::ToTriangleMesh(input, "mesh"),
-        novelview::ReadViews(vtkMultiBlockDataSet::GetData(inputs[1]), needs, 2),
+        novelview::ReadColouredViews(vtkMultiBlockDataSet::GetData(inputs[1]), 2),
         novelview::PointFlags(input, novelview::arrays::Visible, 1),
         novelview::PointFlags(input, novelview::arrays::OutlineFlag, 0),
         vtkDataObject::GetData(inputs[1]),

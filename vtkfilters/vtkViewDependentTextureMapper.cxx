@@ -47,8 +47,7 @@ vtkMTimeType vtkViewDependentTextureMapper::GetMTime()
 //------------------------------------------------------------------------------
 int vtkViewDependentTextureMapper::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(
-    vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 1 ? "vtkMultiBlockDataSet" : "vtkPolyData");
+  novelview::SetInputType(info, port, 1);
   if (port == 2)
   {
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
@@ -74,10 +73,8 @@ int vtkViewDependentTextureMapper::RequestData(
       const novelview::Camera camera = novelview::RequireCamera(this->Camera);
       const novelview::TriangleMesh mesh =
         novelview::ToTriangleMesh(vtkPolyData::GetData(inputs[0]), "mesh");
-      novelview::ViewNeeds needs;
-      needs.Color = needs.ContourDistance = true;
       const std::vector<novelview::View> views =
-        novelview::ReadViews(vtkMultiBlockDataSet::GetData(inputs[1]), needs);
+        novelview::ReadColouredViews(vtkMultiBlockDataSet::GetData(inputs[1]));
 
       novelview::TextureOptions options;
       options.References = this->References;

@@ -20,8 +20,7 @@ vtkWholeObjectRefiner::vtkWholeObjectRefiner()
 //------------------------------------------------------------------------------
 int vtkWholeObjectRefiner::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(
-    vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 1 ? "vtkMultiBlockDataSet" : "vtkPolyData");
+  novelview::SetInputType(info, port, 1);
   return 1;
 }
 
@@ -33,8 +32,6 @@ int vtkWholeObjectRefiner::RequestData(
     [&]
     {
       vtkMultiBlockDataSet* blocks = vtkMultiBlockDataSet::GetData(inputs[1]);
-      novelview::ViewNeeds needs;
-      needs.Color = needs.ContourDistance = true;
       const double noise = this->DepthNoise > 0
         ? this->DepthNoise
         : novelview::AttachedNumber(blocks, novelview::arrays::DepthNoise, 0);
@@ -42,7 +39,7 @@ int vtkWholeObjectRefiner::RequestData(
       options.Fusion = novelview::OptionsForNoise(noise).Surface;
       const novelview::TriangleMesh refined =
         novelview::RefineModel(novelview::ToTriangleMesh(vtkPolyData::GetData(inputs[0]), "mesh"),
-          novelview::ReadViews(blocks, needs), options, novelview::ExecutionFor(this));
+          novelview::ReadColouredViews(blocks), options, novelview::ExecutionFor(this));
       novelview::FromTriangleMesh(refined, vtkPolyData::GetData(outputs));
     });
 }

@@ -62,7 +62,7 @@ private:
     double BorderShare = 0;
   };
   static Reduced Reduce(
-    const Photograph& camera, const FoundMask& mask, bool invert, int workingSize);
+    const Photograph& camera, const FoundMask& found, bool invert, int workingSize);
 
   int Size;
   std::vector<Reduced> All;

@@ -17,14 +17,13 @@ std::vector<double> ContourLoss(const std::vector<View>& views,
 {
   constexpr double MaxPx = 3; // what is further off says nothing about half pixels
   std::vector<View> shifted = views;
-  std::vector<SilhouetteRay> through = rays;
   for (View& view : shifted)
   {
     view.Cam.K.block<2, 1>(0, 2).array() += shiftPx;
   }
   std::vector<double> loss(views.size(), 0);
   std::vector<double> count(views.size(), 0);
-  const auto agreements = FollowSilhouetteRays(shifted, through, {}, execution);
+  const auto agreements = FollowSilhouetteRays(shifted, rays, {}, execution);
   for (std::size_t i = 0; i < rays.size(); ++i)
   {
     loss[rays[i].ViewId] += std::clamp(-static_cast<double>(agreements[i].Residual), 0.0, MaxPx);

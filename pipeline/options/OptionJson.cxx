@@ -189,21 +189,18 @@ private:
 
   fs::path Folder;
 };
-}
 
-namespace
-{
 /** The option of a key. Throws UsageError when there is none. */
-const Option& OptionOfKey(
+const Option& KnownOption(
   const OptionTable& table, const std::string& key, const std::string& where)
 {
+  if (const Option* option = OptionOfKey(table, key))
+  {
+    return *option;
+  }
   std::vector<std::string> keys;
   for (const Option& option : table)
   {
-    if (HasKey(option, key))
-    {
-      return option;
-    }
     keys.push_back(option.Key);
   }
   const std::string nearest = NearestWord(key, keys);
@@ -217,7 +214,7 @@ void SetFromJson(const OptionTable& table, const Json& object, const fs::path& f
 {
   for (const auto& [key, value] : object.items())
   {
-    const Option& option = OptionOfKey(table, key, where);
+    const Option& option = KnownOption(table, key, where);
     if (key != option.Key)
     {
       const std::string text = "key \"" + key + "\" is now \"" + option.Key + "\"";

@@ -26,11 +26,16 @@ std::string NumbersText(const T& values)
   return Joined(words, ",");
 }
 
-/** Whether an option goes, or went, by a key. */
-inline bool HasKey(const Option& option, const std::string& key)
+/** The option that goes, or went, by a key; null when there is none. */
+inline const Option* OptionOfKey(const OptionTable& table, const std::string& key)
 {
-  const std::vector<std::string>& former = option.FormerKeys;
-  return option.Key == key || std::find(former.begin(), former.end(), key) != former.end();
+  const auto found = std::find_if(table.begin(), table.end(),
+    [&key](const Option& option)
+    {
+      const std::vector<std::string>& former = option.FormerKeys;
+      return option.Key == key || std::find(former.begin(), former.end(), key) != former.end();
+    });
+  return found == table.end() ? nullptr : &*found;
 }
 
 /** x0 y0 z0 x1 y1 z1: every second value must be above the first. */

@@ -143,12 +143,11 @@ void AppendOptions(OptionTable& table, OptionTable more)
 
 const Option& FindOption(const OptionTable& table, const std::string& key)
 {
-  const auto found = std::find_if(
-    table.begin(), table.end(), [&key](const Option& option) { return HasKey(option, key); });
-  if (found == table.end())
+  const Option* option = OptionOfKey(table, key);
+  if (!option)
   {
     throw UsageError(FlagOf(key), "is no option of this command");
   }
-  return *found;
+  return *option;
 }
 }

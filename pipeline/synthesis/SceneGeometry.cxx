@@ -114,7 +114,7 @@ std::string PackNotes(const SceneGeometry& scene)
   return std::move(writer.Written);
 }
 
-/** Reads the notes into a scene; the views are empty blocks with their names. */
+/** Reads the notes into a scene and returns the names of its views. */
 std::vector<std::string> UnpackNotes(
   std::string_view bytes, const std::string& where, SceneGeometry& scene)
 {

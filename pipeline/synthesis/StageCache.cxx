@@ -117,7 +117,6 @@ void AddView(Hash& hash, vtkImageData* image, const std::string& name)
     }
   }
 }
-
 }
 
 StageCache::StageCache(

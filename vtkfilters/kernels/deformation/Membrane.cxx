@@ -43,10 +43,11 @@ void ShortenFoldingMoves(
     for (const Eigen::Vector3i& t : mesh.Triangles)
     {
       const auto moved = [&](int corner) { return (pixels[t[corner]] + moves[t[corner]]).eval(); };
-      const bool moves3 = !(moves[t[0]].isZero() && moves[t[1]].isZero() && moves[t[2]].isZero());
-      if (moves3 && ProjectedArea(moved(0), moved(1), moved(2)) >= 0)
+      const bool isMoved = !(moves[t[0]].isZero() && moves[t[1]].isZero() && moves[t[2]].isZero());
+      if (isMoved && ProjectedArea(moved(0), moved(1), moved(2)) >= 0)
       {
-        folds = tooFar[t[0]] = tooFar[t[1]] = tooFar[t[2]] = 1;
+        folds = true;
+        tooFar[t[0]] = tooFar[t[1]] = tooFar[t[2]] = 1;
       }
     }
     for (std::size_t ptId = 0; ptId < moves.size(); ++ptId)

@@ -151,7 +151,9 @@ private:
         [&](std::int64_t i)
         {
           const int key = this->Keys[pending[i]];
-          seen[pending[i]] = key < 0 || this->Sees(key, depths[key].Ref(), pending[i]);
+          seen[pending[i]] = key < 0 ||
+            IsUnoccluded(std::as_const(depths[key]).Ref(), this->Views[key].Cam,
+              this->Mesh.Points[pending[i]], 1.5);
         });
       std::erase_if(pending, [&seen](int ptId) { return seen[ptId] != 0; });
     }
@@ -207,15 +209,10 @@ private:
     return best;
   }
 
-  bool Sees(int viewId, const ImageRef<const float>& depth, int ptId) const
-  {
-    const Camera& camera = this->Views[viewId].Cam;
-    const Vector3d& point = this->Mesh.Points[ptId];
-    const double z = camera.Depth(point);
-    return OcclusionDepth(depth, camera.Project(point), z) < 1.5 * camera.PixelFootprint(z);
-  }
-
-  /** Whether all that the point's energies depend on is as it was when they were last measured. */
+  /**
+   * Whether all that the point's energies depend on is as it was when they were last measured, but for
+   * the range of the search: its matches have been found.
+   */
   bool IsSettled(int ptId) const
   {
     const std::span<const int> around = this->Neighbours.Points(ptId);

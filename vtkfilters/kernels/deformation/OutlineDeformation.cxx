@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deformation/OutlineDeformation.h"
 
-#include "core/Quantile.h"
 #include "core/ToInt.h"
 #include "deformation/OutlineEnergy.h"
 #include "geometry/MeshNeighbours.h"
@@ -12,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace novelview
@@ -85,14 +83,13 @@ public:
       this->FindMinima();
       const double most =
         this->Options.MaxMovePx * std::pow(this->Options.MoveDecay, state.Iteration);
-      if (!this->LowerEnergy(most, mean, state))
+      converged = !this->LowerEnergy(most, mean, state);
+      if (!converged)
       {
-        converged = true;
-        break;
+        ++state.Iteration;
+        tell();
+        converged = state.LargestMovePx < this->Options.ConvergencePx;
       }
-      ++state.Iteration;
-      tell();
-      converged = state.LargestMovePx < this->Options.ConvergencePx;
     }
     return { std::move(this->Mesh), std::move(this->Energies), std::move(this->Active),
       state.Iteration, converged };
@@ -131,6 +128,8 @@ private:
   /** Key and secondaries of every point: photographs that can tell where it belongs. */
   void ChooseViews()
   {
+    const int others = static_cast<int>(this->Views.size()) - 1;
+    const std::vector<std::vector<int>> neighbours = NearestNeighbours(this->Views, others);
     std::vector<Image<float>> depths(this->Views.size());
     this->Run.ForEach(static_cast<std::int64_t>(this->Views.size()),
       [&](std::int64_t viewId)
@@ -149,9 +148,9 @@ private:
           return;
         }
         const Vector3d axis = this->Views[*key].Cam.OpticalAxis();
-        for (const int viewId : ViewsByAngle(this->Views, axis))
+        for (const int viewId : neighbours[*key])
         {
-          if (viewId != *key && this->Views[viewId].Cam.OpticalAxis().dot(axis) > minCosine &&
+          if (this->Views[viewId].Cam.OpticalAxis().dot(axis) > minCosine &&
             static_cast<int>(point.Secondaries.size()) < this->Options.Secondaries && tells(viewId))
           {
             point.Secondaries.push_back(viewId);
@@ -165,16 +164,10 @@ private:
   bool Tells(const OutlinePoint& point, const Camera& camera, ImageRef<const float> depth) const
   {
     const Vector3d& here = this->Mesh.Points[point.Id];
-    const double z = camera.Depth(here);
-    if (point.Step.normalized().dot((camera.Centre() - here).normalized()) <
-        this->Options.MinFacing ||
-      z <= 0)
-    {
-      return false;
-    }
-    const Vector2d pixel = camera.Project(here);
-    return camera.InFrame(pixel) &&
-      OcclusionDepth(depth, pixel, z) < this->Options.BehindPx * camera.PixelFootprint(z);
+    const Vector3d towards = (camera.Centre() - here).normalized();
+    return point.Step.normalized().dot(towards) >= this->Options.MinFacing &&
+      camera.Depth(here) > 0 && camera.InFrame(camera.Project(here)) &&
+      IsUnoccluded(depth, camera, here, this->Options.BehindPx);
   }
 
   /** Whether the photograph is flat where it shows what lies behind the point. */
@@ -312,6 +305,7 @@ private:
     const std::vector<Vector3d> points = this->Mesh.Points;
     const std::vector<Vector2d> pixels = this->Projection.Pixels;
     const std::vector<PointEnergy> energies = this->Energies;
+    const std::vector<OutlinePoint> outline = this->Points;
     for (int halving = 0; halving < halvings; ++halving)
     {
       this->Move(most / (1 << halving), state);
@@ -328,7 +322,7 @@ private:
       this->Mesh.Points = points;
       this->Projection.Pixels = pixels;
       this->Energies = energies;
-      this->FindDirections(Rasterise(this->Mesh, this->Novel, this->Run));
+      this->Points = outline;
     }
     return false;
   }

@@ -110,4 +110,11 @@ double OcclusionDepth(const ImageRef<const float>& depth, const Eigen::Vector2d&
   const float deepest = DeepestAround(depth, NearestPixel(pixel.x()), NearestPixel(pixel.y()));
   return deepest > 0 ? z - deepest : -std::numeric_limits<double>::infinity();
 }
+
+bool IsUnoccluded(const ImageRef<const float>& depth, const Camera& camera,
+  const Eigen::Vector3d& point, double tolerancePx)
+{
+  const double z = camera.Depth(point);
+  return OcclusionDepth(depth, camera.Project(point), z) < tolerancePx * camera.PixelFootprint(z);
+}
 }

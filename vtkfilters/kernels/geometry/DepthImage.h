@@ -33,6 +33,13 @@ DepthRange RasteriseRange(const TriangleMesh& mesh, const Camera& camera);
  * Minus infinity where the depth image is empty (0 or infinity) or the pixel is outside it.
  */
 double OcclusionDepth(const ImageRef<const float>& depth, const Eigen::Vector2d& pixel, double z);
+
+/**
+ * Whether a point before a camera is hidden by less than `tolerancePx` pixel footprints by what the
+ * camera's depth image shows.
+ */
+bool IsUnoccluded(const ImageRef<const float>& depth, const Camera& camera,
+  const Eigen::Vector3d& point, double tolerancePx);
 }
 
 #endif
