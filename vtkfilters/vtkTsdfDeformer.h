@@ -4,8 +4,8 @@
  * @brief What the deformers share that follow depth maps.
  *
  * The depth maps of the views (arrays `Depth` and `Confidence`, as vtkReferenceDepthEstimator adds
- * them) are fused into a truncated signed distance (TsdfField.h), and the points move onto its zero
- * crossing instead of minimising the paper's energies.
+ * them) are fused into a truncated signed distance (TsdfField.h). The distance to its zero crossing
+ * takes the place of the photo-consistency in the energies that are minimised.
  *
  * Ports and arrays: see vtkViewDeformer; in 1 needs the arrays above, too.
  */

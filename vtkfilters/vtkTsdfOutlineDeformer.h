@@ -5,13 +5,14 @@
  *
  * The sibling of vtkOutlineDeformer for views with depth maps. Outline points move, in the plane
  * through them parallel to the novel image plane, onto the contour of the silhouette that the fused
- * maps show to the novel camera, and the strip they sweep is cut away (TsdfDeformation.h). With
+ * maps show to the novel camera, and the strip they sweep is cut away; each iteration lowers the
+ * energy, the squared distance to that contour (TsdfDeformation.h). With
  * UseContourPrediction that contour is refined by the one interpolated from the photographs'
  * contours (ContourPrediction.h).
  *
  * Ports and arrays: see vtkTsdfDeformer. Out 0 holds only the triangles that face the novel camera;
- * added point arrays: `OutlineFlag` (uint8, 1 = outline point), `EnergyPhoto` (distance to the
- * contour, pixels), `Energy` (the same), `EnergyContour` and `EnergySmooth` (0).
+ * added point arrays: `OutlineFlag` (uint8, 1 = outline point), `EnergyPhoto` (squared
+ * distance by which a point lies outside the contour, pixels squared), `Energy` (the same), `EnergyContour` and `EnergySmooth` (0).
  */
 #ifndef vtkTsdfOutlineDeformer_h
 #define vtkTsdfOutlineDeformer_h

@@ -177,6 +177,21 @@ TEST_F(BunnyRun, RenderGivesTheSamePictures)
   EXPECT_EQ(FilesBelow(Out("render")).size(), 4u);
 }
 
+TEST_F(BunnyRun, TheTablesShowEveryIterationLoweringTheEnergy)
+{
+  for (const char* step : { "outline", "nonoutline" })
+  {
+    const auto table = ReadTable(Out("run") / ("rms_" + std::string(step) + ".csv"));
+    const std::vector<double>& energies = table.at("mean_energy");
+    ASSERT_GT(energies.size(), 4u) << step;
+    for (std::size_t i = 1; i < energies.size(); ++i)
+    {
+      EXPECT_LT(energies[i], energies[i - 1]) << step << ", iteration " << i;
+    }
+    EXPECT_LT(table.at("rms").back(), table.at("rms").front()) << step;
+  }
+}
+
 TEST_F(BunnyRun, PaperPresetRefinesTheHull)
 {
   MustRun(With(RunWords("paper"), { "--preset", "paper" }));

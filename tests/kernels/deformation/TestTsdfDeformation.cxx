@@ -118,6 +118,115 @@ TEST(TsdfDeformation, TheListenerHearsEveryIterationOnceAndTheStart)
   EXPECT_EQ(heard, (std::vector<int>{ 0, 1, 2, 3 }));
 }
 
+namespace
+{
+/** What a listener hears of a deformer. */
+struct Heard
+{
+  std::vector<double> MeanEnergies;
+  std::vector<double> LargestMoves;
+
+  DeformationListener Listener()
+  {
+    return [this](const DeformationState& state)
+    {
+      double sum = 0;
+      int count = 0;
+      for (std::size_t ptId = 0; ptId < state.Energies->size(); ++ptId)
+      {
+        sum += (*state.Energies)[ptId].Total;
+        count += (*state.Active)[ptId];
+      }
+      this->MeanEnergies.push_back(sum / count);
+      this->LargestMoves.push_back(state.LargestMovePx);
+    };
+  }
+
+  void ExpectMinimisation(const DeformationResult& result) const
+  {
+    EXPECT_TRUE(result.Converged);
+    EXPECT_GT(result.Iterations, 3) << "iterations, not one move";
+    ASSERT_EQ(this->MeanEnergies.size(), static_cast<std::size_t>(result.Iterations) + 1);
+    for (std::size_t i = 1; i < this->MeanEnergies.size(); ++i)
+    {
+      EXPECT_LT(this->MeanEnergies[i], this->MeanEnergies[i - 1]) << "iteration " << i;
+    }
+    EXPECT_LT(this->LargestMoves.back(), 0.1) << "stops when nothing moves a tenth of a pixel";
+  }
+};
+}
+
+TEST(TsdfDeformation, EveryIterationOfTheOutlineLowersTheEnergyUntilNothingMoves)
+{
+  const DentCase& dent = TheDent();
+  Heard heard;
+  const auto result =
+    DeformOutlineByField(dent.Mesh, dent.Visible, dent.Views, dent.Novel, {}, heard.Listener());
+  heard.ExpectMinimisation(result);
+  EXPECT_LT(heard.MeanEnergies.back(), 0.01) << "on the contour to a tenth of a pixel";
+}
+
+TEST(TsdfDeformation, EveryIterationOfTheOtherPointsLowersTheEnergyUntilNothingMoves)
+{
+  const DentCase& dent = TheDent();
+  Heard heard;
+  const auto result =
+    DeformNonOutlineByField(dent.Mesh, dent.Visible, dent.Views, dent.Novel, {}, heard.Listener());
+  heard.ExpectMinimisation(result);
+  const std::vector<double>& moves = heard.LargestMoves;
+  EXPECT_GE(*std::min_element(moves.begin() + 1, moves.end() - 1), 0.1) << "and not later";
+}
+
+TEST(TsdfDeformation, WhoListensChangesNothing)
+{
+  const DentCase& dent = TheDent();
+  Heard heard;
+  TsdfDeformationOptions last;
+  last.LastOnly = true;
+  const auto alone = DeformOutlineByField(dent.Mesh, dent.Visible, dent.Views, dent.Novel, last);
+  const auto told =
+    DeformOutlineByField(dent.Mesh, dent.Visible, dent.Views, dent.Novel, {}, heard.Listener());
+  EXPECT_EQ(alone.Mesh.Points, told.Mesh.Points);
+  EXPECT_EQ(alone.Mesh.Triangles, told.Mesh.Triangles);
+  EXPECT_EQ(
+    DeformNonOutlineByField(dent.Mesh, dent.Visible, dent.Views, dent.Novel, last).Mesh.Points,
+    DeformNonOutlineByField(dent.Mesh, dent.Visible, dent.Views, dent.Novel, {}, heard.Listener())
+      .Mesh.Points);
+}
+
+TEST(TsdfDeformation, TheOutlineReachesTheContourHoweverFewIterationsThereAre)
+{
+  const DentCase& dent = TheDent();
+  for (const int iterations : { 1, 2, 4 })
+  {
+    Heard heard;
+    TsdfDeformationOptions options;
+    options.Iterations = iterations;
+    const auto result = DeformOutlineByField(
+      dent.Mesh, dent.Visible, dent.Views, dent.Novel, options, heard.Listener());
+    EXPECT_EQ(result.Iterations, iterations);
+    EXPECT_LT(heard.MeanEnergies.back(), 0.02) << iterations << " iterations";
+  }
+}
+
+TEST(TsdfDeformation, WithoutIterationsTheEnergiesAreMeasuredAndNothingMoves)
+{
+  const DentCase& dent = TheDent();
+  TsdfDeformationOptions options;
+  options.Iterations = 0;
+  const auto outline =
+    DeformOutlineByField(dent.Mesh, dent.Visible, dent.Views, dent.Novel, options);
+  EXPECT_EQ(outline.Mesh.Points, dent.Mesh.Points);
+  EXPECT_FALSE(outline.Converged);
+  const auto others =
+    DeformNonOutlineByField(dent.Mesh, dent.Visible, dent.Views, dent.Novel, options);
+  for (std::size_t ptId = 0; ptId < dent.Mesh.Points.size(); ++ptId)
+  {
+    EXPECT_LT((others.Mesh.Points[ptId] - dent.Mesh.Points[ptId]).norm(), 1e-12);
+  }
+  EXPECT_EQ(others.Energies.size(), dent.Mesh.Points.size());
+}
+
 TEST(TsdfDeformation, SameBitsWithOneAndMoreThreads)
 {
   const DentCase& dent = TheDent();

@@ -2,8 +2,9 @@
 #include "deformation/TsdfDeformation.h"
 
 #include "core/FillHolesIteratively.h"
-#include "deformation/NonOutlineDeformation.h"
+#include "deformation/FieldEnergy.h"
 #include "deformation/OutlineEnergy.h"
+#include "deformation/RayRelaxation.h"
 #include "fusion/RayMarcher.h"
 #include "geometry/MeshNeighbours.h"
 #include "geometry/NovelProjection.h"
@@ -13,7 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <iterator>
 
 namespace novelview
 {
@@ -49,15 +50,18 @@ class FieldOutlineDeformer
 {
 public:
   FieldOutlineDeformer(const TriangleMesh& facing, const std::vector<std::uint8_t>& visible,
-    const Camera& novel, const Image<float>& silhouette, const Execution& execution)
-    : Start(facing)
+    const Camera& novel, const Image<float>& silhouette, const TsdfDeformationOptions& options,
+    const Execution& execution)
+    : Mesh(facing)
     , Visible(visible)
     , Novel(novel)
     , Silhouette(silhouette)
+    , Options(options)
     , Run(execution)
-    , StartProjection(facing, novel)
-    , Inside(facing.Points.size(), 0)
+    , Projection(facing, novel)
+    , Start(facing.Points.size(), 0)
   {
+    this->Rim.Points.resize(facing.Points.size()); // where they lie does not matter
     std::vector<std::uint8_t> used(facing.Points.size(), 0);
     for (const Eigen::Vector3i& t : facing.Triangles)
     {
@@ -67,44 +71,77 @@ public:
     {
       if (used[ptId])
       {
-        this->Inside[ptId] = this->At(this->StartProjection.Pixels[ptId]);
-        this->Deepest = std::min(this->Deepest, this->Inside[ptId]);
+        this->Start[ptId] = this->At(this->Projection.Pixels[ptId]);
+        this->Level = std::min(this->Level, this->Start[ptId]);
       }
+    }
+    std::copy_if(facing.Triangles.begin(), facing.Triangles.end(),
+      std::back_inserter(this->Rim.Triangles),
+      [this](const Eigen::Vector3i& t)
+      { return this->Start[t[0]] < 0 || this->Start[t[1]] < 0 || this->Start[t[2]] < 0; });
+    for (int ptId = 0; ptId < static_cast<int>(this->Start.size()); ++ptId)
+    {
+      if (this->Start[ptId] < 0)
+      {
+        this->Outside.push_back(ptId);
+      }
+    }
+    // The last iteration but one shall leave no more than ConvergencePx to go.
+    const int steps = options.Iterations - 1;
+    this->Decay = options.LevelDecay;
+    if (steps > 0 && this->Level < -options.ConvergencePx)
+    {
+      this->Decay =
+        std::min(this->Decay, std::pow(options.ConvergencePx / -this->Level, 1.0 / steps));
     }
   }
 
-  /** How far outside the contour the mesh reaches, pixels. */
-  double Reach() const { return -this->Deepest; }
-
-  /** The start mesh with its outline moved to the contour at `level` (below 0 = further out). */
-  void MoveTo(double level, DeformationResult& result, DeformationState& state)
+  /** Moves the outline to the next contour; returns whether it has arrived. */
+  bool Step(DeformationState& state)
   {
-    const std::size_t count = this->Start.Points.size();
-    result.Mesh.Points = this->Start.Points;
-    result.Mesh.Triangles.clear();
-    result.Active.assign(count, 0);
-    result.Energies.assign(count, PointEnergy());
-    for (const Eigen::Vector3i& t : this->Start.Triangles)
-    {
-      if (this->Inside[t[0]] >= level || this->Inside[t[1]] >= level || this->Inside[t[2]] >= level)
-      {
-        result.Mesh.Triangles.push_back(t);
-      }
-    }
-    const TrianglesOfPoints around(result.Mesh);
-    NovelProjection projection = this->StartProjection;
+    const bool last =
+      state.Iteration == this->Options.Iterations || this->Level >= -this->Options.ConvergencePx;
+    this->Level = last ? 0 : this->Decay * this->Level;
+    this->Cut(this->Rim);
+    const TrianglesOfPoints around(this->Rim);
     state.PointsMoved = 0;
     state.LargestMovePx = 0;
-    for (int ptId = 0; ptId < static_cast<int>(count); ++ptId)
+    for (const int ptId : this->Outside)
     {
-      if (this->Inside[ptId] < level && !around.Triangles(ptId).empty())
+      if (this->Start[ptId] < this->Level && !around.Triangles(ptId).empty())
       {
-        const double moved = this->MovePoint(ptId, level, result.Mesh, around, projection);
-        state.PointsMoved += moved > 0;
+        constexpr double nothing = 1e-3; // pixels
+        const double moved = this->MovePoint(ptId, around);
+        state.PointsMoved += moved > nothing;
         state.LargestMovePx = std::max(state.LargestMovePx, moved);
       }
     }
-    this->MarkOutline(around, projection, result);
+    return last && state.LargestMovePx < this->Options.ConvergencePx;
+  }
+
+  /** Outline points, visible and near the contour of the mesh's silhouette, and their energies. */
+  void Measure(DeformationResult& result)
+  {
+    this->Cut(this->Mesh);
+    result.Mesh = this->Mesh;
+    result.Active.assign(this->Start.size(), 0);
+    result.Energies.assign(this->Start.size(), PointEnergy());
+    const ItemBuffer silhouette = Rasterise(this->Mesh, this->Novel, this->Run);
+    std::vector<std::uint8_t> used(this->Start.size(), 0);
+    for (const Eigen::Vector3i& t : this->Mesh.Triangles)
+    {
+      used[t[0]] = used[t[1]] = used[t[2]] = 1;
+    }
+    for (std::size_t ptId = 0; ptId < used.size(); ++ptId)
+    {
+      const Vector2d& pixel = this->Projection.Pixels[ptId];
+      if (used[ptId] && (this->Visible.empty() || this->Visible[ptId]) &&
+        OnContour(silhouette, pixel))
+      {
+        result.Active[ptId] = 1;
+        result.Energies[ptId] = FieldOutlineEnergy(this->Silhouette, pixel);
+      }
+    }
   }
 
 private:
@@ -121,60 +158,49 @@ private:
     return length > 0 ? Vector2d(gradient / length) : Vector2d(0, 0);
   }
 
-  /** Moves a point in the image plane towards the contour; returns by how many pixels. */
-  double MovePoint(int ptId, double level, TriangleMesh& mesh, const TrianglesOfPoints& around,
-    NovelProjection& projection) const
+  /** Drops the triangles that lie beyond the level. */
+  void Cut(TriangleMesh& mesh) const
   {
-    const Vector2d start = projection.Pixels[ptId];
+    const auto beyond = [this](int ptId) { return this->Start[ptId] < this->Level; };
+    std::erase_if(mesh.Triangles,
+      [&](const Eigen::Vector3i& t) { return beyond(t[0]) && beyond(t[1]) && beyond(t[2]); });
+  }
+
+  /** Moves a point in the image plane to the contour at the level; returns by how many pixels. */
+  double MovePoint(int ptId, const TrianglesOfPoints& around)
+  {
+    const Vector2d start = this->Projection.Pixels[ptId];
     Vector2d target = start;
     for (int step = 0; step < 4; ++step)
     {
-      target += (level - this->At(target)) * this->Gradient(target);
+      target += (this->Level - this->At(target)) * this->Gradient(target);
     }
     for (double part = 1; part > 0.05; part *= 0.6)
     {
       const Vector2d pixel = start + part * (target - start);
-      if (projection.KeepsOrientation(mesh, around, ptId, pixel))
+      if (this->Projection.KeepsOrientation(this->Rim, around, ptId, pixel))
       {
-        const double depth = this->Novel.Depth(mesh.Points[ptId]);
-        mesh.Points[ptId] = this->Novel.Unproject(pixel, depth);
-        projection.Pixels[ptId] = pixel;
+        Vector3d& point = this->Mesh.Points[ptId];
+        point = this->Novel.Unproject(pixel, this->Novel.Depth(point));
+        this->Projection.Pixels[ptId] = pixel;
         return (pixel - start).norm();
       }
     }
     return 0;
   }
 
-  /** Outline points: on an open edge, near the contour of the mesh's silhouette. */
-  void MarkOutline(const TrianglesOfPoints& around, const NovelProjection& projection,
-    DeformationResult& result) const
-  {
-    const ItemBuffer silhouette = Rasterise(result.Mesh, this->Novel, this->Run);
-    const auto isOutline = [&](int ptId)
-    {
-      return (this->Visible.empty() || this->Visible[ptId]) && !around.Triangles(ptId).empty() &&
-        OnContour(silhouette, projection.Pixels[ptId]);
-    };
-    for (int ptId = 0; ptId < static_cast<int>(result.Active.size()); ++ptId)
-    {
-      if (isOutline(ptId))
-      {
-        result.Active[ptId] = 1;
-        PointEnergy& energy = result.Energies[ptId];
-        energy.Photo = std::abs(this->At(projection.Pixels[ptId]));
-        energy.Total = energy.Photo;
-      }
-    }
-  }
-
-  const TriangleMesh& Start;
+  TriangleMesh Mesh;
+  TriangleMesh Rim;         ///< its triangles that reach out of the contour
+  std::vector<int> Outside; ///< points out of the contour at the start
   const std::vector<std::uint8_t>& Visible;
   const Camera& Novel;
   const Image<float>& Silhouette;
+  const TsdfDeformationOptions& Options;
   const Execution& Run;
-  NovelProjection StartProjection;
-  std::vector<double> Inside; ///< signed distance of each point's projection to the contour
-  double Deepest = 0;
+  NovelProjection Projection;
+  std::vector<double> Start; ///< signed distance of each point's first projection to the contour
+  double Level = 0;          ///< of the contour gone to; below 0 = outside
+  double Decay = 0;
 };
 
 // ---- the other points -----------------------------------------------------------------------------
@@ -183,15 +209,15 @@ class FieldRayDeformer
 {
 public:
   FieldRayDeformer(const TriangleMesh& mesh, const std::vector<std::uint8_t>& active,
-    const Camera& novel, const TsdfDeformationOptions& options)
+    const Camera& novel, const TsdfDeformationOptions& options, double footprint)
     : Mesh(mesh)
     , Active(active)
     , Neighbours(mesh)
     , Novel(novel)
     , Options(options)
+    , Footprint(footprint)
     , Start(mesh.Points.size(), 0)
-    , Target(mesh.Points.size(), 0)
-    , Goal(mesh.Points.size(), 0)
+    , Surface(mesh.Points.size(), 0)
   {
     for (int ptId = 0; ptId < static_cast<int>(mesh.Points.size()); ++ptId)
     {
@@ -201,12 +227,30 @@ public:
     }
   }
 
+  /** Finds the surface that draws each point: the field's, or the one its neighbours have. */
+  RayRelaxation Prepare(const TsdfField& field, const Execution& execution)
+  {
+    this->FindSurface(field, execution);
+    this->FillFromNeighbours();
+    return { this->Neighbours, this->Novel, this->Mesh.Points, this->Surface, this->Active,
+      this->Options.Smoothing, this->Footprint };
+  }
+
+  void Measure(
+    const RayRelaxation& relaxation, DeformationResult& result, const Execution& execution) const
+  {
+    result.Mesh.Triangles = this->Mesh.Triangles;
+    result.Active = this->Active;
+    relaxation.Measure(result.Mesh.Points, result.Energies, execution);
+  }
+
+private:
   /** The depth of the field's surface on each active point's ray; 0 = it meets none. */
-  void FindSurface(const TsdfField& field, double footprint, const Execution& execution)
+  void FindSurface(const TsdfField& field, const Execution& execution)
   {
     const RayMarcher marcher(field, this->Novel, BoundingDiagonal(this->Mesh.Points),
-      this->Options.Silhouette.StepPx * footprint);
-    execution.ForEach(static_cast<std::int64_t>(this->Target.size()),
+      this->Options.Silhouette.StepPx * this->Footprint);
+    execution.ForEach(static_cast<std::int64_t>(this->Surface.size()),
       [&](std::int64_t ptId)
       {
         if (this->Active[ptId])
@@ -218,74 +262,20 @@ public:
             front = std::min(front, this->Start[other]);
           }
           const Vector2d pixel = this->Novel.Project(this->Mesh.Points[ptId]);
-          this->Target[ptId] =
-            marcher.FindFirstCrossing(pixel, front - 1.5 * footprint).Surface.value_or(0);
+          this->Surface[ptId] =
+            marcher.FindFirstCrossing(pixel, front - 1.5 * this->Footprint).Surface.value_or(0);
         }
       });
   }
 
-  /** Where each point shall go: its surface balanced with its neighbours. */
-  void Balance(const Execution& execution)
-  {
-    this->Goal = this->Target;
-    this->FillFromNeighbours();
-    const double weight = this->Options.Smoothing;
-    for (int step = 0; step < this->Options.SmoothingSteps && weight > 0; ++step)
-    {
-      const std::vector<double> before = this->Goal;
-      execution.ForEach(static_cast<std::int64_t>(this->Goal.size()),
-        [&](std::int64_t ptId)
-        {
-          double sum = 0;
-          int count = 0;
-          for (const int other : this->Neighbours.Points(static_cast<int>(ptId)))
-          {
-            sum += this->Active[other] ? before[other] : 0;
-            count += this->Active[other];
-          }
-          if (this->Active[ptId] && count)
-          {
-            const double own = this->Target[ptId] > 0 ? this->Target[ptId] : before[ptId];
-            this->Goal[ptId] = (own + weight * sum / count) / (1 + weight);
-          }
-        });
-    }
-  }
-
-  /** The mesh a fraction of the way there. */
-  void MoveTo(double fraction, double footprint, DeformationResult& result, DeformationState& state)
-  {
-    result.Mesh = this->Mesh;
-    result.Active = this->Active;
-    result.Energies.assign(this->Goal.size(), PointEnergy());
-    state.PointsMoved = 0;
-    state.LargestMovePx = 0;
-    const Vector3d centre = this->Novel.Centre();
-    for (std::size_t ptId = 0; ptId < this->Goal.size(); ++ptId)
-    {
-      if (!this->Active[ptId])
-      {
-        continue;
-      }
-      const double depth = this->Start[ptId] + fraction * (this->Goal[ptId] - this->Start[ptId]);
-      result.Mesh.Points[ptId] =
-        centre + depth / this->Start[ptId] * (this->Mesh.Points[ptId] - centre);
-      const double moved = std::abs(depth - this->Start[ptId]) / footprint;
-      state.PointsMoved += moved > 1e-3;
-      state.LargestMovePx = std::max(state.LargestMovePx, moved);
-    }
-    this->Measure(footprint, result);
-  }
-
-private:
   /** Points whose ray meets nothing take the mean of those around, ring by ring. */
   void FillFromNeighbours()
   {
     std::vector<int> open;
-    std::vector<std::uint8_t> known(this->Goal.size());
-    for (int ptId = 0; ptId < static_cast<int>(this->Goal.size()); ++ptId)
+    std::vector<std::uint8_t> known(this->Surface.size());
+    for (int ptId = 0; ptId < static_cast<int>(this->Surface.size()); ++ptId)
     {
-      known[ptId] = this->Goal[ptId] > 0;
+      known[ptId] = this->Surface[ptId] > 0;
       if (this->Active[ptId] && !known[ptId])
       {
         open.push_back(ptId);
@@ -299,45 +289,13 @@ private:
         int count = 0;
         for (const int other : this->Neighbours.Points(ptId))
         {
-          sum += known[other] ? this->Goal[other] : 0;
+          sum += known[other] ? this->Surface[other] : 0;
           count += known[other];
         }
-        this->Goal[ptId] = count ? sum / count : this->Goal[ptId];
+        this->Surface[ptId] = count ? sum / count : 0;
         return count > 0;
       },
       [&](int ptId) { known[ptId] = 1; });
-    for (const int ptId : open)
-    {
-      if (!known[ptId])
-      {
-        this->Goal[ptId] = this->Start[ptId]; // nothing is known anywhere around: stay on the hull
-      }
-    }
-  }
-
-  void Measure(double footprint, DeformationResult& result) const
-  {
-    const Vector3d centre = this->Novel.Centre();
-    std::vector<Vector3d> around;
-    for (int ptId = 0; ptId < static_cast<int>(this->Goal.size()); ++ptId)
-    {
-      if (!this->Active[ptId])
-      {
-        continue;
-      }
-      around.clear();
-      for (const int other : this->Neighbours.Points(ptId))
-      {
-        around.push_back(result.Mesh.Points[other]);
-      }
-      const Vector3d& point = result.Mesh.Points[ptId];
-      const double depth = this->Novel.Depth(point);
-      PointEnergy& energy = result.Energies[ptId];
-      energy.Photo = this->Target[ptId] > 0 ? std::abs(depth - this->Target[ptId]) / footprint : 0;
-      energy.Contour = std::abs(depth - this->Start[ptId]) / footprint;
-      energy.Smooth = RaySmoothnessEnergy(point, (point - centre).normalized(), around, footprint);
-      energy.Total = energy.Photo + this->Options.Smoothing * energy.Smooth;
-    }
   }
 
   const TriangleMesh& Mesh;
@@ -345,36 +303,45 @@ private:
   MeshNeighbours Neighbours;
   const Camera& Novel;
   const TsdfDeformationOptions& Options;
-  std::vector<double> Start;  ///< depth before
-  std::vector<double> Target; ///< depth of the surface on the ray; 0 = none
-  std::vector<double> Goal;   ///< depth to go to
+  const double Footprint;
+  std::vector<double> Start;   ///< depth before
+  std::vector<double> Surface; ///< depth of what draws the point; 0 = nothing does
 };
 
-/** Calls move(fraction) for every iteration, the first with 0, and tells the listener. */
-template <class Move>
-int Iterate(const TsdfDeformationOptions& options, DeformationResult& result,
-  const DeformationListener& listener, const Execution& execution, const Move& move)
+/**
+ * Calls step(state), which moves the points and returns whether they have arrived, until then or to the
+ * iterations' limit; measure() and the listener before it and after each.
+ */
+template <class Step, class Measure>
+DeformationResult Iterate(const TsdfDeformationOptions& options,
+  const DeformationListener& listener, const Execution& execution, const Step& step,
+  const Measure& measure)
 {
-  const int iterations = options.Iterations;
+  DeformationResult result;
   DeformationState state;
-  for (state.Iteration = options.LastOnly ? iterations : 0; state.Iteration <= iterations;
-       ++state.Iteration)
+  state.Mesh = &result.Mesh;
+  state.Energies = &result.Energies;
+  state.Active = &result.Active;
+  for (;; ++state.Iteration)
   {
-    const bool last = state.Iteration == iterations;
-    if (listener || last)
+    result.Converged = state.Iteration > 0 && step(state);
+    const bool last = result.Converged || state.Iteration == options.Iterations;
+    const bool told = listener && (last || !options.LastOnly);
+    if (last || told)
     {
-      move(iterations ? static_cast<double>(state.Iteration) / iterations : 0.0, state);
-      state.Mesh = &result.Mesh;
-      state.Energies = &result.Energies;
-      state.Active = &result.Active;
+      measure(result);
     }
-    if (listener)
+    if (told)
     {
       listener(state);
     }
-    execution.Report(0.5 + 0.5 * state.Iteration / std::max(iterations, 1));
+    execution.Report(0.5 + 0.5 * state.Iteration / std::max(options.Iterations, 1));
+    if (last)
+    {
+      result.Iterations = state.Iteration;
+      return result;
+    }
   }
-  return iterations;
 }
 }
 
@@ -399,13 +366,10 @@ DeformationResult DeformOutlineByField(const TriangleMesh& mesh,
   const TriangleMesh facing = NovelProjection::FacingPart(mesh, novel);
   const Image<float> silhouette =
     FusedSilhouette(facing, views, field, novel, footprint, options.Silhouette, execution);
-  FieldOutlineDeformer deformer(facing, visible, novel, silhouette, execution);
-  DeformationResult result;
-  result.Converged = true;
-  result.Iterations = Iterate(options, result, listener, execution,
-    [&](double fraction, DeformationState& state)
-    { deformer.MoveTo((fraction - 1) * deformer.Reach(), result, state); });
-  return result;
+  FieldOutlineDeformer deformer(facing, visible, novel, silhouette, options, execution);
+  return Iterate(
+    options, listener, execution, [&](DeformationState& state) { return deformer.Step(state); },
+    [&](DeformationResult& result) { deformer.Measure(result); });
 }
 
 DeformationResult DeformNonOutlineByField(const TriangleMesh& mesh,
@@ -416,14 +380,17 @@ DeformationResult DeformNonOutlineByField(const TriangleMesh& mesh,
   RequireMaps(views);
   const double footprint = FootprintOf(views, mesh);
   const TsdfField field(views, options.Surface, footprint);
-  FieldRayDeformer deformer(mesh, active, novel, options);
-  deformer.FindSurface(field, footprint, execution);
-  deformer.Balance(execution);
-  DeformationResult result;
-  result.Converged = true;
-  result.Iterations = Iterate(options, result, listener, execution,
-    [&](double fraction, DeformationState& state)
-    { deformer.MoveTo(fraction, footprint, result, state); });
-  return result;
+  FieldRayDeformer deformer(mesh, active, novel, options, footprint);
+  RayRelaxation relaxation = deformer.Prepare(field, execution);
+  return Iterate(
+    options, listener, execution,
+    [&](DeformationState& state)
+    {
+      const RayRelaxation::Moves moves = relaxation.Step(execution);
+      state.PointsMoved = moves.Moved;
+      state.LargestMovePx = moves.Largest;
+      return moves.Largest < options.ConvergencePx;
+    },
+    [&](DeformationResult& result) { deformer.Measure(relaxation, result, execution); });
 }
 }
