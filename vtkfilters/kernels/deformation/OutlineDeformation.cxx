@@ -3,11 +3,10 @@
 
 #include "core/ToInt.h"
 #include "deformation/OutlineEnergy.h"
+#include "deformation/OutlineViews.h"
 #include "geometry/MeshNeighbours.h"
 #include "geometry/NovelProjection.h"
 #include "geometry/Rasteriser.h"
-#include "geometry/ViewSelection.h"
-#include "stereo/PhotoConsistency.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,8 +23,7 @@ using Eigen::Vector3d;
 struct OutlinePoint
 {
   int Id = -1;
-  int Key = -1; ///< of the photo-consistency; -1 = no two photographs tell of the point
-  std::vector<int> Secondaries;
+  OutlineViews Compared;
   Vector2d Direction = Vector2d::Zero(); ///< unit, in the picture; 0 = it has none
   Vector3d Step = Vector3d::Zero();      ///< world vector of one novel pixel along Direction
   double Offset = 0;                     ///< where the least energy is, novel pixels
@@ -41,22 +39,13 @@ public:
     , Neighbours(this->Mesh)
     , Projection(this->Mesh, novel)
     , Views(views)
-    , Order(ViewsByAngle(views, novel.OpticalAxis()))
+    , NearViews(ContourViews(views, novel, options))
     , Novel(novel)
     , Options(options)
     , Run(execution)
     , Energies(mesh.Points.size())
     , Active(mesh.Points.size(), 0)
   {
-    const double minCosine = std::cos(options.NearAngleDeg * EIGEN_PI / 180);
-    for (const int viewId : this->Order)
-    {
-      if (static_cast<int>(this->NearViews.size()) < options.NearViews &&
-        views[viewId].Cam.OpticalAxis().dot(novel.OpticalAxis()) >= minCosine)
-      {
-        this->NearViews.push_back(viewId);
-      }
-    }
     this->FindOutline(visible);
     this->ChooseViews();
   }
@@ -125,59 +114,16 @@ private:
     }
   }
 
-  /** Key and secondaries of every point: photographs that can tell where it belongs. */
   void ChooseViews()
   {
-    const int others = static_cast<int>(this->Views.size()) - 1;
-    const std::vector<std::vector<int>> neighbours = NearestNeighbours(this->Views, others);
-    std::vector<Image<float>> depths(this->Views.size());
-    this->Run.ForEach(static_cast<std::int64_t>(this->Views.size()),
-      [&](std::int64_t viewId)
-      { depths[viewId] = RasteriseDepth(this->Mesh, this->Views[viewId].Cam); });
-    const double minCosine = std::cos(this->Options.MaxApartDeg * EIGEN_PI / 180);
+    const OutlineViewSelector selector(
+      this->Mesh, this->Views, this->Novel, this->Options, this->Run);
     this->Run.ForEach(static_cast<std::int64_t>(this->Points.size()),
       [&](std::int64_t i)
       {
         OutlinePoint& point = this->Points[i];
-        const auto tells = [&](int viewId) {
-          return this->Tells(point, this->Views[viewId].Cam, std::as_const(depths[viewId]).Ref());
-        };
-        const auto key = std::find_if(this->Order.begin(), this->Order.end(), tells);
-        if (key == this->Order.end())
-        {
-          return;
-        }
-        const Vector3d axis = this->Views[*key].Cam.OpticalAxis();
-        for (const int viewId : neighbours[*key])
-        {
-          if (this->Views[viewId].Cam.OpticalAxis().dot(axis) > minCosine &&
-            static_cast<int>(point.Secondaries.size()) < this->Options.Secondaries && tells(viewId))
-          {
-            point.Secondaries.push_back(viewId);
-          }
-        }
-        point.Key = point.Secondaries.empty() || this->IsFlat(point, *key) ? -1 : *key;
+        point.Compared = selector.Select(this->Mesh.Points[point.Id], point.Step);
       });
-  }
-
-  /** Whether a camera lies on the moving side of a point and sees it. */
-  bool Tells(const OutlinePoint& point, const Camera& camera, ImageRef<const float> depth) const
-  {
-    const Vector3d& here = this->Mesh.Points[point.Id];
-    const Vector3d towards = (camera.Centre() - here).normalized();
-    return point.Step.normalized().dot(towards) >= this->Options.MinFacing &&
-      camera.Depth(here) > 0 && camera.InFrame(camera.Project(here)) &&
-      IsUnoccluded(depth, camera, here, this->Options.BehindPx);
-  }
-
-  /** Whether the photograph is flat where it shows what lies behind the point. */
-  bool IsFlat(const OutlinePoint& point, int key) const
-  {
-    const Vector3d inside = this->Mesh.Points[point.Id] - this->Options.WindowRadius * point.Step;
-    const View& view = this->Views[key];
-    return view.Cam.Depth(inside) <= 0 ||
-      WindowMatcher(view, view.Cam.Project(inside), this->Options.WindowRadius).Variance() <
-      this->Options.MinVariance;
   }
 
   std::vector<Vector3d> OutlineNeighbours(int ptId) const
@@ -200,9 +146,10 @@ private:
     energy.Contour =
       OutlineContourEnergy(position, this->Views, this->NearViews, this->Options.SigmaPx);
     energy.Smooth = OutlineSmoothnessEnergy(position, point.Step.normalized(), neighbours);
-    energy.Photo = point.Key < 0 ? 0
-                                 : OutlinePhotoEnergy(position, this->Views, point.Key,
-                                     point.Secondaries, this->Options.WindowRadius);
+    energy.Photo = point.Compared.Key < 0
+      ? 0
+      : OutlinePhotoEnergy(position, this->Views, point.Compared.Key, point.Compared.Secondaries,
+          this->Options.WindowRadius);
     energy.Total =
       energy.Photo + this->Options.Alpha * energy.Contour + this->Options.Beta * energy.Smooth;
     return energy;
@@ -234,7 +181,7 @@ private:
       [&](std::int64_t i)
       {
         const OutlinePoint& point = this->Points[i];
-        offsets[point.Id] = point.Key < 0 ? 0 : this->MinimumOf(point);
+        offsets[point.Id] = point.Compared.Key < 0 ? 0 : this->MinimumOf(point);
       });
     this->Run.ForEach(static_cast<std::int64_t>(this->Points.size()),
       [&](std::int64_t i)
@@ -361,14 +308,13 @@ private:
   MeshNeighbours Neighbours;
   NovelProjection Projection;
   const std::vector<View>& Views;
-  const std::vector<int> Order; ///< of the views, the nearest to the novel one first
+  const std::vector<int> NearViews; ///< of the contour energy
   const Camera& Novel;
   const OutlineOptions& Options;
   const Execution& Run;
   std::vector<PointEnergy> Energies;
   std::vector<std::uint8_t> Active;
   std::vector<OutlinePoint> Points;
-  std::vector<int> NearViews;
 };
 }
 
