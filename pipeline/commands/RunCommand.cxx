@@ -162,7 +162,8 @@ void RunView(const RunOptions& options, Console& console)
   desktop.Views = dataset.Views;
   desktop.Novel = view.Cam;
   SynthesisListener listener = ListenerFor(console);
-  RunPageInput page{ desktop.Title, options.Out, &report, dataset.Views, {}, {}, dataset.Warnings };
+  RunPageInput page{ desktop.Title, options.Out, &report, dataset.Views, {}, {}, dataset.Warnings,
+    view.Cam, trueMesh };
   listener.Warn = [&](const std::string& text)
   {
     page.Warnings.push_back(text);

@@ -7,6 +7,7 @@
 #include "drawing/ErrorPicture.h"
 #include "drawing/OffscreenWindow.h"
 #include "images/ImageFile.h"
+#include "report/PaperFigures.h"
 #include "report/ReportPictures.h"
 
 #include <algorithm>
@@ -340,6 +341,7 @@ std::string RunPageHtml(const RunPageInput& input)
   if (!input.Report->Iterations().empty())
   {
     AddIterations(page, input);
+    AddPaperFigures(page, input);
   }
   page.BeginSection("photographs", "Photographs");
   page.AddText("The photographs that were used, each with the contour of its silhouette.");

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include <vtkMultiBlockDataSet.h>
+#include <vtkPolyData.h>
 
 #include <filesystem>
 #include <string>
@@ -26,11 +27,14 @@ struct RunPageInput
   nlohmann::ordered_json Job;            ///< as job.json has it
   nlohmann::ordered_json Timings;        ///< as Console::TimingsText() has them
   std::vector<std::string> Warnings;
+  Camera Novel;
+  vtkPolyData* TrueMesh = nullptr; ///< null when there is none
 };
 
 /**
  * report.html of a run: what went in, the stages side by side, the iterations as a player (at most
- * 60 of them with pictures, evenly chosen), tables, charts, timings and the job. The file depends on
+ * 60 of them with pictures, evenly chosen), the same in the form of the paper, tables, charts, timings
+ * and the job. The file depends on
  * nothing beside it.
  */
 std::string RunPageHtml(const RunPageInput& input);

@@ -133,6 +133,24 @@ def check_player(driver, folder):
         expect([track.text for track in tracks] == ["novel view", "scene"], "no scene to choose")
 
 
+def check_paper(driver, folder):
+    """The section in the form of the paper: figures, tables 1 to 4, the row of iterations."""
+    section = driver.find_element(By.ID, "paper")
+    galleries = section.find_elements(By.CSS_SELECTOR, ".gallery")
+    names = [[figure.get_attribute("data-name").split(",")[0]
+              for figure in gallery.find_elements(By.TAG_NAME, "figure")] for gallery in galleries]
+    expect(names[0] == ["hull", "outline", "full", "truth"], f"figure 14 shows {names[0]}")
+    expected = ["initial mesh", "culled"]
+    for step, name in (("outline", "outline"), ("nonoutline", "non-outline")):
+        with open(folder / f"rms_{step}.csv", newline="") as file:
+            rows = list(csv.DictReader(file))
+        times = [int(row["iteration"]) for row in rows]
+        expected += [f"{name} {i}" for i in times if i in (1, 2, 5, 10) or i and i == times[-1]]
+        expect(table_values(driver, f"table-paper-{step}") ==
+               [[None] + [float(row["rms"]) for row in rows]], f"paper's table of {step} is not the CSV's")
+    expect(names[1] == expected + ["truth"], f"the row of iterations shows {names[1]}")
+
+
 def check_without_script(page):
     """Everything can still be seen and read."""
     driver = open_browser(script=False)
@@ -155,6 +173,7 @@ def main(page, folder):
         check_tables(driver, folder)
         check_comparison(driver)
         check_player(driver, folder)
+        check_paper(driver, folder)
         expect(driver.execute_script("return window.injected === undefined"),
                "a name in the page was run as script")
         check_requests(driver, page)
