@@ -191,8 +191,8 @@ std::vector<ReportPicture> StageFigure(const RunReport& report, const Frames& fr
     pictures.push_back(EmbedPicture(name, caption, part.Ref(), FigureSidePx));
   };
   const std::vector<std::pair<std::string, std::string>> names = { { "hull", "(a) visual hull" },
-    { "outline", "(b) after refine outline points" },
-    { "full", "(c) after refine non-outline points (final result)" } };
+    { "outline", "(b) after refining outline points" },
+    { "full", "(c) after refining non-outline points (final result)" } };
   for (const auto& [stage, caption] : names)
   {
     for (std::size_t i = 0; i < report.Stages().size(); ++i)
