@@ -31,6 +31,7 @@ struct RowItem
   std::string Caption;
   fs::path Picture; ///< the novel view; empty = that of the truth
   fs::path Mesh;    ///< empty = the true mesh
+  bool HasFaces = true;
 };
 
 std::string WithRms(const std::string& name, const std::optional<Scores>& scores)
@@ -66,7 +67,8 @@ std::vector<RowItem> RowItems(const RunPageInput& input)
   const RunReport& report = *input.Report;
   const fs::path hull = input.Folder / "stages" / "hull.png";
   std::vector<RowItem> items = { { "initial mesh", hull, input.Folder / "meshes/power_crust.vtp" },
-    { "culled", hull, input.Folder / "meshes/hull.vtp" } };
+    { "culled", hull, input.Folder / "meshes/hull.vtp",
+      report.Iterations().front().Triangles > 0 } };
   for (const Stage step : { Stage::Outline, Stage::Full })
   {
     const std::string name = step == Stage::Outline ? "outline " : "non-outline ";
@@ -81,7 +83,7 @@ std::vector<RowItem> RowItems(const RunPageInput& input)
         const std::string file = IterationName(step, times);
         items.push_back({ WithRms(name + std::to_string(times), rows[i].Score),
           input.Folder / "iterations" / (file + ".png"),
-          input.Folder / "meshes/iterations" / (file + ".vtp") });
+          input.Folder / "meshes/iterations" / (file + ".vtp"), rows[i].Triangles > 0 });
       }
     }
   }
@@ -92,15 +94,15 @@ std::vector<RowItem> RowItems(const RunPageInput& input)
   return items;
 }
 
-TriangleMesh MeshOf(const RunPageInput& input, const fs::path& file)
+/** The mesh of a file that the run has written, or the true mesh. */
+TriangleMesh MeshOf(const RunPageInput& input, const RowItem& item)
 {
   vtkSmartPointer<vtkPolyData> mesh = input.TrueMesh;
-  if (!file.empty())
+  if (!item.Mesh.empty())
   {
-    mesh = ReadMeshFile(file);
+    mesh = item.HasFaces ? ReadMeshFile(item.Mesh) : nullptr;
   }
-  return mesh && mesh->GetNumberOfPolys() > 0 ? ToTriangleMesh(mesh, file.string())
-                                              : TriangleMesh();
+  return mesh ? ToTriangleMesh(mesh, item.Caption) : TriangleMesh();
 }
 
 /** The box of what is not black. */
@@ -164,7 +166,7 @@ Image<std::uint8_t> Blackened(vtkImageData* image)
 struct Frames
 {
   explicit Frames(const RunPageInput& input)
-    : Initial(MeshOf(input, input.Folder / "meshes/power_crust.vtp"))
+    : Initial(MeshOf(input, RowItems(input).front()))
     , Side(TurnedCamera(input.Novel, BoundingBox(this->Initial.Points).center(), SideAngleDeg))
     , Front(BoxOf(Blackened(input.Report->StageImages().front())))
     , Beside(BoxOf(ShadedMesh(this->Initial, this->Side)))
@@ -224,7 +226,7 @@ std::vector<ReportPicture> Row(const RunPageInput& input, const Frames& frames)
       const Image<std::uint8_t> picture =
         item.Picture.empty() ? Blackened(input.Report->TrueImage()) : ReadColorFile(item.Picture);
       CopyPart(picture, frames.Front, 0, frames.Size, both);
-      CopyPart(ShadedMesh(MeshOf(input, item.Mesh), frames.Side), frames.Beside, frames.Size.y(),
+      CopyPart(ShadedMesh(MeshOf(input, item), frames.Side), frames.Beside, frames.Size.y(),
         frames.Size, both);
       pictures[i] = EmbedPicture(item.Caption, item.Caption, both.Ref(), RowSidePx, 85);
     });

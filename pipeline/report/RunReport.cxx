@@ -205,6 +205,7 @@ void RunReport::AddIteration(const IterationState& state, Dashboard* desktop)
   row.MeanContour = state.MeanContour;
   row.MeanSmooth = state.MeanSmooth;
   row.PointsMoved = state.PointsMoved;
+  row.Triangles = static_cast<long>(state.Mesh->GetNumberOfPolys());
   if (row.Score)
   {
     this->History.push_back({ row.Step, row.Iteration, row.Score->Rms, row.Score->Ssim });

@@ -45,6 +45,7 @@ struct TableRow
   double MeanContour = 0;
   double MeanSmooth = 0;
   long PointsMoved = 0;
+  long Triangles = 0; ///< of the mesh
 };
 
 /**
