@@ -15,6 +15,8 @@ unset DISPLAY
 configurations=(
   "paper|--preset paper"
   "paper + depth maps|--preset paper --depth-maps"
+  "best without refined cameras|--no-refine-cameras"
+  "best without repaired silhouettes|--no-repair-silhouettes"
   "best without reconciled silhouettes|--no-reconcile-silhouettes"
   "best without contour prediction|--no-contour-prediction"
   "best without measured depth noise|--depth-noise 0.15"

@@ -18,9 +18,12 @@ inline constexpr const char* Rotation = "Rotation";
 inline constexpr const char* Translation = "Translation";
 inline constexpr const char* ExposureGain = "ExposureGain";
 inline constexpr const char* ContourOffset = "ContourOffset";
+inline constexpr const char* AddedPixels = "AddedPixels";
+inline constexpr const char* CameraShift = "CameraShift";
 // ---- of all views together
 inline constexpr const char* DepthNoise = "DepthNoise";
 inline constexpr const char* SilhouettePrior = "SilhouettePrior";
+inline constexpr const char* SilhouetteSupport = "SilhouetteSupport";
 // ---- of meshes
 inline constexpr const char* Normals = "Normals";
 inline constexpr const char* TCoords = "TCoords";

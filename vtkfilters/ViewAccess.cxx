@@ -229,12 +229,39 @@ std::vector<View> ReadViews(
   return result;
 }
 
-void AttachNumber(vtkDataObject* to, const char* name, double value)
+void AttachTable(
+  vtkDataObject* to, const char* name, const std::vector<double>& values, int columns)
 {
   vtkNew<vtkDoubleArray> array;
   array->SetName(name);
-  array->InsertNextValue(value);
+  array->SetNumberOfComponents(columns);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()) / columns);
+  std::copy_n(values.begin(), array->GetNumberOfValues(), array->GetPointer(0));
   to->GetFieldData()->AddArray(array);
+}
+
+std::vector<double> AttachedTable(vtkDataObject* to, const char* name, int columns)
+{
+  vtkDataArray* found = to ? to->GetFieldData()->GetArray(name) : nullptr;
+  if (found && found->GetNumberOfComponents() != columns)
+  {
+    throw Error("views", std::string("field array ") + name + " has the wrong number of columns",
+      std::to_string(found->GetNumberOfComponents()), std::to_string(columns));
+  }
+  std::vector<double> values;
+  for (vtkIdType row = 0; found && row < found->GetNumberOfTuples(); ++row)
+  {
+    for (int column = 0; column < columns; ++column)
+    {
+      values.push_back(found->GetComponent(row, column));
+    }
+  }
+  return values;
+}
+
+void AttachNumber(vtkDataObject* to, const char* name, double value)
+{
+  AttachTable(to, name, { value }, 1);
 }
 
 double AttachedNumber(vtkDataObject* to, const char* name, double otherwise)

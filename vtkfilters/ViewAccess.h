@@ -15,9 +15,13 @@
  *               ExposureGain     double      optional: brightness against the mean of all
  *               ContourOffset    double      optional: by how many pixels the silhouette has been
  *                                            enlarged
+ *               AddedPixels      double      optional: so many pixels have been added to the
+ *                                            silhouette
+ *               CameraShift      double      optional: by how many pixels the refinement of the
+ *                                            cameras has moved the object in the image
  *
- * and, once there are depth maps, two numbers in the field data of the whole: DepthNoise and
- * SilhouettePrior (see vtkReferenceDepthEstimator).
+ * and, once there are depth maps, three arrays in the field data of the whole: DepthNoise,
+ * SilhouettePrior and SilhouetteSupport (see vtkReferenceDepthEstimator).
  *
  * Functions throw novelview::Error.
  */
@@ -74,6 +78,13 @@ VTKNOVELVIEWFILTERS_EXPORT Camera AttachedCamera(vtkImageData* image, const std:
 VTKNOVELVIEWFILTERS_EXPORT void AttachNumber(vtkDataObject* to, const char* name, double value);
 VTKNOVELVIEWFILTERS_EXPORT double AttachedNumber(
   vtkDataObject* to, const char* name, double otherwise);
+
+/** A table in the field data, row by row; empty when there is none. */
+VTKNOVELVIEWFILTERS_EXPORT void AttachTable(
+  vtkDataObject* to, const char* name, const std::vector<double>& values, int columns);
+/** Throws when the table has another number of columns. */
+VTKNOVELVIEWFILTERS_EXPORT std::vector<double> AttachedTable(
+  vtkDataObject* to, const char* name, int columns);
 
 /** Appends a block. */
 VTKNOVELVIEWFILTERS_EXPORT void AppendView(

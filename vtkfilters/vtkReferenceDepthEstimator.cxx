@@ -4,6 +4,7 @@
 #include "FilterSupport.h"
 #include "deformation/TsdfDeformation.h"
 #include "fusion/SilhouettePrior.h"
+#include "fusion/SilhouetteSupport.h"
 #include "geometry/ViewSelection.h"
 #include "stereo/MapComparison.h"
 #include "stereo/ReferenceDepth.h"
@@ -34,6 +35,17 @@ int vtkReferenceDepthEstimator::FillInputPortInformation(int port, vtkInformatio
 
 namespace
 {
+void AttachSupport(vtkMultiBlockDataSet* output, const std::vector<novelview::SupportPoint>& points)
+{
+  std::vector<double> table;
+  for (const novelview::SupportPoint& point : points)
+  {
+    table.insert(table.end(), point.Position.data(), point.Position.data() + 3);
+    table.push_back(point.InsidePx);
+  }
+  novelview::AttachTable(output, novelview::arrays::SilhouetteSupport, table, 4);
+}
+
 /** What the maps tell about each other: noise, prior of the outline, exposures. */
 void AttachComparisons(vtkMultiBlockDataSet* output, const novelview::TriangleMesh& hull,
   const novelview::Execution& execution)
@@ -48,8 +60,12 @@ void AttachComparisons(vtkMultiBlockDataSet* output, const novelview::TriangleMe
   novelview::SilhouettePriorOptions prior;
   prior.Fusion = novelview::OptionsForNoise(noise).Outline;
   novelview::AttachNumber(output, novelview::arrays::DepthNoise, noise);
-  novelview::AttachNumber(output, novelview::arrays::SilhouettePrior,
-    novelview::FindSilhouettePrior(views, hull, prior, execution));
+  novelview::FusionOptions outline = prior.Fusion;
+  outline.SilhouettePrior = novelview::FindSilhouettePrior(views, hull, prior, execution);
+  novelview::AttachNumber(output, novelview::arrays::SilhouettePrior, outline.SilhouettePrior);
+  AttachSupport(output,
+    novelview::FindSilhouetteSupport(
+      views, novelview::TsdfField(views, outline, footprint), hull, footprint, {}, execution));
   const std::vector<double> gains = novelview::ExposureGains(views, footprint, execution);
   for (unsigned int viewId = 0; viewId < views.size(); ++viewId)
   {

@@ -17,10 +17,11 @@
  *  - out 0: vtkMultiBlockDataSet, the same views (arrays shared) with two point arrays more:
  *      `Depth` (float, z in world units, 0 where there is no object),
  *      `Confidence` (float, 0 to 1);
- *    two field arrays (1 double) of the whole: `DepthNoise`, by how many pixel footprints the maps
- *    of neighbouring photographs differ (MapComparison.h), and `SilhouettePrior`, how much weight
- *    "object" needs at the outline so that the maps do not carve into the silhouettes
- *    (SilhouettePrior.h); and one of each photograph, `ExposureGain` (1 double): how much brighter
+ *    three field arrays of the whole: `DepthNoise` (1 double), by how many pixel footprints the maps
+ *    of neighbouring photographs differ (MapComparison.h); `SilhouettePrior` (1 double), how much
+ *    weight "object" needs at the outline so that the maps do not carve into the silhouettes
+ *    (SilhouettePrior.h); and `SilhouetteSupport` (n x 4 double), points that the maps carve although
+ *    a silhouette shows them, with how many pixels inside it (SilhouetteSupport.h); and one of each photograph, `ExposureGain` (1 double): how much brighter
  *    it is than the mean of all (MapComparison.h).
  *
  * Differs from the paper: the whole stage is an addition; preset `paper` runs without it.

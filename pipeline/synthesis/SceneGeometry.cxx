@@ -88,7 +88,7 @@ vtkSmartPointer<vtkImageData> Completed(vtkImageData* given, vtkImageData* parts
   return image;
 }
 
-/** The names of the views, the numbers of all of them together, and the warnings. */
+/** The names of the views, the tables of all of them together, and the warnings. */
 std::string PackNotes(const SceneGeometry& scene)
 {
   ByteWriter writer;
@@ -102,9 +102,16 @@ std::string PackNotes(const SceneGeometry& scene)
   writer.Add<std::uint64_t>(numbers->GetNumberOfArrays());
   for (int i = 0; i < numbers->GetNumberOfArrays(); ++i)
   {
-    const char* name = numbers->GetAbstractArray(i)->GetName();
-    writer.AddText(name);
-    writer.Add<double>(AttachedNumber(scene.Views, name, 0));
+    vtkAbstractArray* array = numbers->GetAbstractArray(i);
+    const int columns = array->GetNumberOfComponents();
+    const std::vector<double> values = AttachedTable(scene.Views, array->GetName(), columns);
+    writer.AddText(array->GetName());
+    writer.Add<std::uint64_t>(columns);
+    writer.Add<std::uint64_t>(values.size());
+    for (const double value : values)
+    {
+      writer.Add<double>(value);
+    }
   }
   writer.Add<std::uint64_t>(scene.Warnings.size());
   for (const std::string& warning : scene.Warnings)
@@ -127,7 +134,19 @@ std::vector<std::string> UnpackNotes(
   for (auto count = reader.Take<std::uint64_t>(); count > 0; --count)
   {
     const std::string name = reader.TakeText();
-    AttachNumber(scene.Views, name.c_str(), reader.Take<double>());
+    const auto columns = reader.Take<std::uint64_t>();
+    std::vector<double> values;
+    for (auto left = reader.Take<std::uint64_t>(); left > 0; --left)
+    {
+      values.push_back(reader.Take<double>());
+    }
+    if (columns < 1 || columns > 16 || values.size() % columns != 0)
+    {
+      throw Error(where, "table " + name + " is damaged",
+        std::to_string(values.size()) + " numbers in " + std::to_string(columns) + " columns",
+        "whole rows of 1 to 16");
+    }
+    AttachTable(scene.Views, name.c_str(), values, static_cast<int>(columns));
   }
   for (auto count = reader.Take<std::uint64_t>(); count > 0; --count)
   {

@@ -5,6 +5,7 @@
 #include "synthesis/SceneGeometry.h"
 
 #include <vtkMultiBlockDataSet.h>
+#include <vtkSmartPointer.h>
 
 #include <filesystem>
 #include <optional>
@@ -41,7 +42,7 @@ private:
   std::filesystem::path Folder;
   std::string Key;
   std::string Wrong;
-  vtkMultiBlockDataSet* Views;
+  vtkSmartPointer<vtkMultiBlockDataSet> Views; ///< as they came
 };
 }
 

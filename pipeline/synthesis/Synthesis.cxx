@@ -13,6 +13,7 @@
 #include <vtkNew.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace novelview
 {
@@ -74,7 +75,8 @@ public:
   {
     if (!this->Load())
     {
-      this->RunHull();
+      this->RefinesCameras() ? this->RunScene() : this->RunHull();
+      this->WarnOfHull();
     }
     return this->Kept ? this->Kept->Hull.Get() : this->Filters.HullSource->GetOutput();
   }
@@ -83,7 +85,8 @@ public:
   {
     if (!this->Load())
     {
-      this->RunCrust();
+      this->RefinesCameras() ? this->RunScene() : this->RunCrust();
+      this->WarnOfHull();
     }
     return this->Kept ? this->Kept->Crust.Get() : this->Filters.Mesher->GetOutput();
   }
@@ -169,7 +172,7 @@ private:
     {
       return;
     }
-    this->Options.UseDepthMaps ? this->RunCrustAndDepths() : this->RunCrust();
+    this->RunScene();
     if (!this->Cache || this->Stored)
     {
       return;
@@ -265,14 +268,89 @@ private:
     this->ToldOfCache = true;
   }
 
+  /** Refined cameras change all that comes before them, too. */
+  bool RefinesCameras() const { return this->Options.RefineCameras && this->Options.UseDepthMaps; }
+
+  /** Every stage before the novel camera; with better cameras, if there are, all of them again. */
+  void RunScene()
+  {
+    if (!this->Options.UseDepthMaps)
+    {
+      this->RunCrust();
+      this->WarnOfHull();
+      return;
+    }
+    this->RunCrustAndDepths();
+    if (this->RefinesCameras() && !this->TriedCameras)
+    {
+      this->TriedCameras = true;
+      this->Run("cameras", this->Filters.CameraRefiner);
+      if (this->Filters.CameraRefiner->GetRefined())
+      {
+        this->UseRefinedCameras();
+        this->RunCrustAndDepths();
+      }
+    }
+    this->WarnOfHull();
+  }
+
+  void UseRefinedCameras()
+  {
+    vtkCameraRefiner* refiner = this->Filters.CameraRefiner;
+    vtkNew<vtkMultiBlockDataSet> views;
+    views->ShallowCopy(refiner->GetOutput());
+    double largest = 0;
+    std::string where;
+    for (unsigned int viewId = 0; viewId < views->GetNumberOfBlocks(); ++viewId)
+    {
+      const double shift = AttachedNumber(ViewImage(views, viewId), arrays::CameraShift, 0);
+      if (shift > largest)
+      {
+        largest = shift;
+        where = ViewName(views, viewId);
+      }
+    }
+    this->Warn(
+      Formatted("cameras refined: photographs disagreed by %.2f px", refiner->GetErrorBefore()) +
+      Formatted(", now by %.2f px", refiner->GetErrorAfter()) +
+      Formatted("; largest shift %.2f px (", largest) + where +
+      "); --no-refine-cameras keeps the given ones");
+    this->Filters.Views->SetOutput(views);
+  }
+
+  /** They stand in the place of the given ones from here on. */
+  void UseRepairedSilhouettes()
+  {
+    vtkNew<vtkMultiBlockDataSet> views;
+    views->ShallowCopy(this->Filters.Repairer->GetOutput());
+    for (unsigned int viewId = 0; viewId < views->GetNumberOfBlocks(); ++viewId)
+    {
+      const double added = AttachedNumber(ViewImage(views, viewId), arrays::AddedPixels, 0);
+      if (added > 0)
+      {
+        this->Warn("silhouette of " + ViewName(views, viewId) + ": " + Formatted("%.0f", added) +
+          " px added that most other silhouettes show; --no-repair-silhouettes leaves them out");
+      }
+    }
+    this->Filters.Views->SetOutput(views);
+  }
+
   void RunHull()
   {
     if (this->Options.ReconcileSilhouettes)
     {
       this->Run("silhouettes", this->Filters.Reconciler);
-      this->WarnOfOffsets();
     }
     this->Run("visual hull", this->Filters.HullSource);
+    if (this->Options.RepairSilhouettes && !std::exchange(this->TriedRepair, true))
+    {
+      this->Run("silhouettes", this->Filters.Repairer);
+      if (this->Filters.Repairer->GetRepaired())
+      {
+        this->UseRepairedSilhouettes();
+        this->Run("visual hull", this->Filters.HullSource);
+      }
+    }
     vtkPolyData* hull = this->Filters.HullSource->GetOutput();
     if (hull->GetMTime() > this->HullOfCrust->GetMTime())
     {
@@ -280,10 +358,21 @@ private:
       this->HullOfCrust->ShallowCopy(hull);
       this->Filters.Mesher->SetInputData(this->HullOfCrust);
     }
-    if (const int dropped = this->Filters.HullSource->GetNumberOfDroppedComponents();
-        dropped > 0 && !this->ToldOfDropped)
+  }
+
+  /** Tells once what was done to the silhouettes, and of components that were left out. */
+  void WarnOfHull()
+  {
+    if (std::exchange(this->ToldOfHull, true))
     {
-      this->ToldOfDropped = true;
+      return;
+    }
+    if (this->Options.ReconcileSilhouettes)
+    {
+      this->WarnOfOffsets();
+    }
+    if (const int dropped = this->Filters.HullSource->GetNumberOfDroppedComponents(); dropped > 0)
+    {
       this->Warn("visual hull: " + std::to_string(dropped) + " smaller component(s) with " +
         std::to_string(this->Filters.HullSource->GetNumberOfDroppedSamples()) +
         " samples left out; all are kept with the option for it");
@@ -308,14 +397,9 @@ private:
     }
   }
 
-  /** Tells once of every silhouette that was enlarged. */
+  /** Tells of every silhouette that was enlarged. */
   void WarnOfOffsets()
   {
-    if (this->ToldOfOffsets)
-    {
-      return;
-    }
-    this->ToldOfOffsets = true;
     vtkMultiBlockDataSet* views = this->Filters.Reconciler->GetOutput();
     std::vector<double> offsets;
     for (unsigned int viewId = 0; viewId < views->GetNumberOfBlocks(); ++viewId)
@@ -411,8 +495,9 @@ private:
   bool Stored = false;
   std::vector<std::string> Warnings;
   bool ToldOfCache = false;
-  bool ToldOfDropped = false;
-  bool ToldOfOffsets = false;
+  bool ToldOfHull = false;
+  bool TriedRepair = false;
+  bool TriedCameras = false; ///< whether the cameras are as good as they get
 };
 
 Synthesis::Synthesis(

@@ -49,7 +49,9 @@ SynthesisOptions PresetOptions(const std::string& preset)
   }
   if (preset == "best")
   {
+    options.RefineCameras = true;
     options.ReconcileSilhouettes = true;
+    options.RepairSilhouettes = true;
     options.UseDepthMaps = true;
     options.LongestEdgePx = 2;
     options.ContourPrediction = true;
@@ -95,8 +97,14 @@ OptionTable OptionsOf(SynthesisOptions& options)
     OfView({ "cache",
       "folder that keeps hull, crust and depth maps for further runs on the same photographs", "",
       "Method", &options.Cache }),
+    { "refineCameras",
+      "correct the cameras' poses where photographs that take no part then agree better; needs the "
+      "depth maps",
+      "", "Cameras", &options.RefineCameras },
     { "reconcileSilhouettes", "enlarge silhouettes that are too small for all the others", "", hull,
       &options.ReconcileSilhouettes },
+    { "repairSilhouettes", "add to silhouettes the parts that only they lack", "", hull,
+      &options.RepairSilhouettes },
     ParameterOption("hullSpacing", "distance between surface samples, in the photographs", hull,
       &options.HullSpacingPx, VisualHullParameters::SpacingPx),
     { "hullBox", "search box x0,y0,z0,x1,y1,z1; found from the silhouettes when not given",

@@ -39,8 +39,14 @@ struct SynthesisOptions
   /** Folder that keeps what does not depend on the novel camera (StageCache); empty = none. */
   std::filesystem::path Cache;
 
+  // ---- cameras
+  bool RefineCameras =
+    false; ///< correct their poses where photographs agree on it; needs depth maps
+
   // ---- silhouettes
   bool ReconcileSilhouettes = false; ///< enlarge those that are too small for all the others
+
+  bool RepairSilhouettes = false; ///< add parts that most of the others show
 
   // ---- hull
   /** Sample spacing, input pixels. */

@@ -58,6 +58,16 @@ SynthesisStages::SynthesisStages(vtkMultiBlockDataSet* views, const SynthesisOpt
     options.UseDepthMaps);
   this->Mesher->SetInputConnection(this->HullSource->GetOutputPort());
   this->DepthEstimator->SetInputConnection(1, this->HullSource->GetOutputPort(1));
+  if (options.RepairSilhouettes)
+  {
+    this->Repairer->SetInputConnection(0, this->Views->GetOutputPort());
+    this->Repairer->SetInputConnection(1, this->HullSource->GetOutputPort(1));
+  }
+  if (options.RefineCameras && options.UseDepthMaps)
+  {
+    this->CameraRefiner->SetInputConnection(0, this->Views->GetOutputPort());
+    this->CameraRefiner->SetInputConnection(1, this->DepthEstimator->GetOutputPort());
+  }
   this->Culler->SetInputConnection(this->Mesher->GetOutputPort());
   this->Outline->SetInputConnection(0, this->Culler->GetOutputPort());
   this->NonOutline->SetInputConnection(0, this->Outline->GetOutputPort());

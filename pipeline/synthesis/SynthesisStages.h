@@ -4,9 +4,11 @@
 
 #include "geometry/Camera.h"
 #include "synthesis/Synthesis.h"
+#include "vtkCameraRefiner.h"
 #include "vtkPowerCrustMesher.h"
 #include "vtkReferenceDepthEstimator.h"
 #include "vtkSilhouetteReconciler.h"
+#include "vtkSilhouetteRepairer.h"
 #include "vtkViewDeformer.h"
 #include "vtkViewDependentTextureMapper.h"
 #include "vtkVisibilityCuller.h"
@@ -36,8 +38,10 @@ struct SynthesisStages
   vtkNew<vtkTrivialProducer> Views;
   vtkNew<vtkSilhouetteReconciler> Reconciler;
   vtkNew<vtkVisualHullSource> HullSource;
+  vtkNew<vtkSilhouetteRepairer> Repairer; ///< not connected unless silhouettes are to be repaired
   vtkNew<vtkPowerCrustMesher> Mesher;
   vtkNew<vtkReferenceDepthEstimator> DepthEstimator;
+  vtkNew<vtkCameraRefiner> CameraRefiner; ///< not connected unless cameras are to be refined
   vtkNew<vtkVisibilityCuller> Culler;
   vtkSmartPointer<vtkViewDeformer> Outline;    ///< the paper's, or the one that follows depth maps
   vtkSmartPointer<vtkViewDeformer> NonOutline; ///< the same

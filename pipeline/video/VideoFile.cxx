@@ -98,7 +98,7 @@ using EncoderFactory = decltype(&NovelViewNewVideoEncoder);
 EncoderFactory LoadEncoderFactory()
 {
   const char* const name = NOVELVIEW_VIDEO_LIBRARY;
-  RequireAddressSpace(name, std::size_t(128) << 20); // for ffmpeg and all that it takes with it
+  RequireAddressSpace(name, std::size_t(192) << 20); // for ffmpeg, what it loads, and an encoder
   void* const library = ::dlopen(name, RTLD_NOW | RTLD_LOCAL);
   void* const factory = library ? ::dlsym(library, "NovelViewNewVideoEncoder") : nullptr;
   if (!factory)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the headers of the filters say about defaults and ranges is what the filters do.
+#include "vtkCameraRefiner.h"
 #include "vtkNonOutlineDeformer.h"
 #include "vtkOutlineDeformer.h"
 #include "vtkPowerCrustMesher.h"
@@ -58,6 +59,7 @@ using Setters = std::map<std::string, Setter>;
 Setters Compiled()
 {
   return {
+    RANGE(vtkCameraRefiner, MinGain),
     RANGE(vtkNonOutlineDeformer, MatchRange),
     RANGE(vtkNonOutlineDeformer, SearchRange),
     RANGE(vtkNonOutlineDeformer, SmoothWeight),

@@ -266,6 +266,25 @@ TEST(ReferenceDepth, OfATexturedSphereIsRightToAFootprint)
   }
 }
 
+TEST(ReferenceDepth, ClippedWindowsAreNoEvidence)
+{
+  const SphereCase& sphere = TheCase();
+  std::vector<Photo> photos(sphere.Photos.begin(), sphere.Photos.begin() + 4);
+  for (Photo& photo : photos)
+  {
+    for (int y = 40; y < 60; ++y)
+    {
+      std::fill_n(&photo.Color(60, y, 0), 3 * 30, std::uint8_t(255));
+    }
+  }
+  const auto depths = EstimateReferenceDepths(ViewsOf(photos), sphere.Hull);
+  for (const ReferenceDepth& map : depths)
+  {
+    EXPECT_EQ(map.Confidence(75, 50), 0);
+    EXPECT_GT(map.Confidence(75, 75), 0);
+  }
+}
+
 TEST(ReferenceDepth, SameBitsWithOneAndMoreThreads)
 {
   const SphereCase& sphere = TheCase();

@@ -75,6 +75,6 @@ TEST(SynthesisOptionTable, HasARowForEveryMember)
   SynthesisOptions options;
   // As many names as there are members; with another number it does not compile.
   [[maybe_unused]] const auto& [m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13, m14, m15,
-    m16, m17, m18, m19, m20, m21, m22, m23, m24] = options;
-  EXPECT_EQ(OptionsOf(options).size(), 24u);
+    m16, m17, m18, m19, m20, m21, m22, m23, m24, m25, m26] = options;
+  EXPECT_EQ(OptionsOf(options).size(), 26u);
 }

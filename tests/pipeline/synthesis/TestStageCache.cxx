@@ -116,7 +116,7 @@ TEST_F(StageCacheTest, EveryOptionOfTheSceneIsInTheKeyAndNoOther)
     ofScene += option.OfScene;
     options = before;
   }
-  EXPECT_EQ(ofScene, 5);
+  EXPECT_EQ(ofScene, 7);
 }
 
 TEST_F(StageCacheTest, CacheManifestUncheckedIsNoMore)
@@ -244,7 +244,7 @@ TEST_F(StageCacheTest, AStopDoesNotLoseWhatIsMade)
   Stop stop;
   SynthesisListener listener;
   listener.StageDone = [&](const std::string& stage, double)
-  { stop.Flag = stop.Flag || stage == "depth maps"; }; // the crust may end before or after them
+  { stop.Flag = stop.Flag || stage == "cameras"; }; // the last one before the novel camera
   std::vector<std::string> warnings;
   listener.Warn = [&](const std::string& text) { warnings.push_back(text); };
   Synthesis synthesis(this->Views, this->Options, listener);

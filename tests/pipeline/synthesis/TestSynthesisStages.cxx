@@ -59,9 +59,10 @@ std::string StateOf(const SynthesisOptions& options)
   const vtkNew<vtkMultiBlockDataSet> views;
   const SynthesisStages stages(views, options);
   std::string state;
-  for (vtkAlgorithm* filter : std::initializer_list<vtkAlgorithm*>{ stages.Reconciler,
-         stages.HullSource, stages.Mesher, stages.DepthEstimator, stages.Culler, stages.Outline,
-         stages.NonOutline, stages.Mapper, stages.Refiner })
+  for (vtkAlgorithm* filter :
+    std::initializer_list<vtkAlgorithm*>{ stages.Reconciler, stages.HullSource, stages.Mesher,
+      stages.DepthEstimator, stages.CameraRefiner, stages.Repairer, stages.Culler, stages.Outline,
+      stages.NonOutline, stages.Mapper, stages.Refiner })
   {
     state += StateOf(filter);
   }

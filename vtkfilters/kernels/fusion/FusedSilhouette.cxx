@@ -115,6 +115,19 @@ public:
       });
   }
 
+  void DrawToSupport()
+  {
+    for (const SupportPoint& point : this->Options.Support)
+    {
+      if (this->Novel.Depth(point.Position) > 0)
+      {
+        const double inside =
+          this->Options.SupportShare * std::min(point.InsidePx, this->Options.SupportMaxPx);
+        this->Cover(this->Novel.Project(point.Position), inside);
+      }
+    }
+  }
+
   Image<float> Take() { return std::move(this->Distance); }
 
 private:
@@ -140,6 +153,24 @@ private:
       }
     }
     return inside == 0 || inside == count ? std::optional<bool>(inside > 0) : std::nullopt;
+  }
+
+  /** Makes the object reach `inside` pixels beyond a pixel, as far as the mesh does. */
+  void Cover(const Vector2d& pixel, double inside)
+  {
+    const int x = RoundToInt(pixel.x());
+    const int y = RoundToInt(pixel.y());
+    for (int j = y - 1; j <= y + 1; ++j)
+    {
+      for (int i = x - 1; i <= x + 1; ++i)
+      {
+        if (this->Distance.Ref().Contains(i, j) && std::isfinite(this->Front(i, j)))
+        {
+          const double distance = (Vector2d(i, j) - pixel).norm() - inside;
+          this->Distance(i, j) = std::min(this->Distance(i, j), static_cast<float>(distance));
+        }
+      }
+    }
   }
 
   double NearestFront(int x, int y) const
@@ -313,6 +344,7 @@ Image<float> FusedSilhouette(const TriangleMesh& mesh, const std::vector<View>& 
   {
     tracer.DrawToPrediction();
   }
+  tracer.DrawToSupport();
   execution.Report(0.4);
   const Image<float> distance = Smoothed(tracer.Take(), options.SmoothingPx, execution);
   Image<std::uint8_t> coverage(distance.Width, distance.Height);

@@ -5,6 +5,7 @@
 #include "core/Execution.h"
 #include "core/ImageRef.h"
 #include "fusion/FusionParameters.h"
+#include "fusion/SilhouetteSupport.h"
 #include "fusion/TsdfField.h"
 #include "geometry/TriangleMesh.h"
 #include "geometry/View.h"
@@ -25,6 +26,10 @@ struct FusedSilhouetteOptions
   double PredictionGatePx = 1;       ///< the weight falls as the two differ by this
   double PredictionResidualPx = 0.1; ///< and as its circle misses the contours by this
   ContourPredictionOptions Prediction;
+  /** Points that are object whatever the field says (FindSilhouetteSupport). */
+  std::vector<SupportPoint> Support;
+  double SupportShare = 0.5; ///< the contour passes them at this share of InsidePx,
+  double SupportMaxPx = 3;   ///< of which so much counts
 };
 
 /**
@@ -39,7 +44,9 @@ struct FusedSilhouetteOptions
  *     (PredictContour), where both agree: depth maps say where the surface is, but only to a
  *     fraction of a pixel that shows at the rim; the prediction is finer where the surface is
  *     smooth, and wrong where it is not.
- *  4. A Gaussian over the distances as wide as the maps are unsure; tiny holes filled, tiny islands
+ *  4. It is at most -SupportShare min(InsidePx, SupportMaxPx) at the projection of each support
+ *     point, and rises from there by 1 per pixel: maps do not carve what a silhouette shows.
+ *  5. A Gaussian over the distances as wide as the maps are unsure; tiny holes filled, tiny islands
  *     dropped.
  *
  * Views need ContourDistance, DepthMap and Confidence.

@@ -49,6 +49,40 @@ struct PassResult
   Image<float> Score;
 };
 
+/** Whether a pixel shows no more than "too bright" or "too dark". */
+bool IsClipped(const std::uint8_t* rgbl)
+{
+  const auto [least, most] = std::minmax({ rgbl[0], rgbl[1], rgbl[2] });
+  return least >= 250 || most <= 5;
+}
+
+/** The share of the object's pixels in the window about each pixel that are clipped. */
+Image<float> ClippedShare(const MatchImage& image, int radius)
+{
+  const int width = image.Pixels.Width;
+  const int height = image.Pixels.Height;
+  Image<float> share(width, height);
+  for (int y = 0; y < height; ++y)
+  {
+    for (int x = 0; x < width; ++x)
+    {
+      int count = 0;
+      int clipped = 0;
+      for (int j = std::max(y - radius, 0); j <= std::min(y + radius, height - 1); ++j)
+      {
+        for (int i = std::max(x - radius, 0); i <= std::min(x + radius, width - 1); ++i)
+        {
+          const std::uint8_t* pixel = &image.Pixels(i, j);
+          count += pixel[3] > 0;
+          clipped += pixel[3] > 0 && IsClipped(pixel);
+        }
+      }
+      share(x, y) = count ? static_cast<float>(clipped) / static_cast<float>(count) : 0.f;
+    }
+  }
+  return share;
+}
+
 PassResult MatchPass(const MatchImage& reference, const Image<float>& base,
   const Image<float>& last, const std::vector<const MatchImage*>& neighbours,
   const DepthHypotheses& labels, const ReferenceDepthOptions& options, const Execution& execution)
@@ -66,6 +100,7 @@ PassResult MatchPass(const MatchImage& reference, const Image<float>& base,
   const CostVolume sums = AggregateSemiGlobally(volume, base, options.SemiGlobal, execution);
   Image<std::uint8_t> winner;
   result.Depth = MaskedMedian(WinnerTakesAll(sums, base, winner), 2);
+  const Image<float> clipped = ClippedShare(reference, options.Match.WindowRadius);
   for (int y = 0; y < box.Height(); ++y)
   {
     for (int x = 0; x < box.Width(); ++x)
@@ -73,7 +108,8 @@ PassResult MatchPass(const MatchImage& reference, const Image<float>& base,
       if (base(box.XBegin + x, box.YBegin + y) > 0)
       {
         const float cost = volume.Row(y, winner(box.XBegin + x, box.YBegin + y))[x];
-        result.Score(box.XBegin + x, box.YBegin + y) = 1 - cost / CostVolume::Unit;
+        const float evidence = 1 - clipped(box.XBegin + x, box.YBegin + y);
+        result.Score(box.XBegin + x, box.YBegin + y) = evidence * (1 - cost / CostVolume::Unit);
       }
     }
   }

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef novelview_PointTracks_h
+#define novelview_PointTracks_h
+
+#include "core/Execution.h"
+#include "geometry/View.h"
+
+#include <vector>
+
+namespace novelview
+{
+/** Where a view shows a point. */
+struct PointObservation
+{
+  int View;
+  Eigen::Vector2d Pixel;
+};
+
+/** A surface point and where photographs show it; the first observation is the reference image's. */
+struct PointTrack
+{
+  Eigen::Vector3d Position;
+  std::vector<PointObservation> Observations;
+};
+
+struct PointTrackOptions
+{
+  int CellPx = 12;        ///< at most one point in each square of this size
+  int WindowRadius = 5;   ///< of the windows compared, pixels
+  int SearchPx = 5;       ///< how far off the projection is searched, each way, in both directions
+  int Neighbours = 4;     ///< source images of each reference image
+  double MinCosine = 0.4; ///< of the incidence, in both images
+  double MinSimilarity = 0.8; ///< zero-mean normalised cross-correlation
+  double MinContrast = 4;     ///< square root of the smaller eigenvalue of the structure tensor,
+                              ///< grey levels per pixel
+};
+
+/**
+ * Points of the surface that several photographs show, each where the photograph itself shows it
+ * and not where its camera says: in every view the corners of the texture, placed by the depth map
+ * and searched in the neighbouring views around their projection in two dimensions. The window is
+ * warped by the tangent plane of the depth map; the offset is refined to a fraction of a pixel by a
+ * parabola through the correlations.
+ *
+ * Views need Color, Mask, DepthMap and Confidence.
+ */
+std::vector<PointTrack> FindPointTracks(const std::vector<View>& views,
+  const PointTrackOptions& options = {}, const Execution& execution = {});
+}
+
+#endif
