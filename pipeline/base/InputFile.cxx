@@ -210,6 +210,16 @@ std::string ReadInputFile(const fs::path& file)
   return OpenFile(file).Read(std::string().max_size() / 2);
 }
 
+std::string ReadInputText(const fs::path& file)
+{
+  std::string text = ReadInputFile(file);
+  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
+  {
+    throw Error(file.string(), "text has the wrong encoding", "UTF-16", "UTF-8");
+  }
+  return text.starts_with("\xef\xbb\xbf") ? text.substr(3) : text;
+}
+
 std::string ReadInputStart(const fs::path& file, std::size_t count)
 {
   return OpenFile(file).Read(count);

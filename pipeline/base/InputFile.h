@@ -33,6 +33,9 @@ public:
  */
 std::string ReadInputFile(const std::filesystem::path& file);
 
+/** The same of a text, without the byte-order mark of UTF-8; UTF-16 is an Error. */
+std::string ReadInputText(const std::filesystem::path& file);
+
 /** The same for the first bytes, `count` or as many as there are. */
 std::string ReadInputStart(const std::filesystem::path& file, std::size_t count);
 

@@ -2,6 +2,7 @@
 #include "cameras/PhotographFiles.h"
 
 #include "base/NumberText.h"
+#include "cameras/MaskFiles.h"
 #include "core/Error.h"
 
 #include <algorithm>
@@ -18,20 +19,12 @@ bool IsFile(const fs::path& path)
   return fs::is_regular_file(path, failure);
 }
 
-bool IsPicture(const fs::path& path)
-{
-  constexpr std::array Extensions{ ".png", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp", ".ppm", ".pgm",
-    ".webp" };
-  return std::find(Extensions.begin(), Extensions.end(), LowerCase(path.extension().string())) !=
-    Extensions.end();
-}
-
 /** Whether a file is named like a mask beside its photograph. */
 bool IsNamedMask(const fs::path& path)
 {
   const std::string stem = LowerCase(path.stem().string());
   return stem.ends_with("_mask") || stem.ends_with(".mask") ||
-    (IsPicture(path.stem()) && IsFile(path.parent_path() / path.stem()));
+    (IsPictureName(path.stem()) && IsFile(path.parent_path() / path.stem()));
 }
 
 bool IsDigit(char c)
@@ -54,37 +47,17 @@ std::string Digits(const std::string& text, std::size_t& at)
 }
 }
 
+bool IsPictureName(const fs::path& file)
+{
+  constexpr std::array Extensions{ ".png", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp", ".ppm", ".pgm",
+    ".pbm", ".webp" };
+  return std::find(Extensions.begin(), Extensions.end(), LowerCase(file.extension().string())) !=
+    Extensions.end();
+}
+
 fs::path MaskFileOf(const fs::path& folder, const std::string& name)
 {
-  const fs::path photograph(name);
-  const fs::path stem = photograph.parent_path() / photograph.stem();
-  const std::array beside{ fs::path(name + ".png"), fs::path(stem.string() + "_mask.png"),
-    fs::path(stem.string() + ".mask.png") };
-  for (const char* masks : { "mask", "masks", "silhouettes" })
-  {
-    for (const fs::path& file : { photograph, fs::path(stem.string() + ".png") })
-    {
-      if (IsFile(folder / masks / file))
-      {
-        return folder / masks / file;
-      }
-    }
-    for (const fs::path& file : beside)
-    {
-      if (IsFile(folder / masks / file))
-      {
-        return folder / masks / file;
-      }
-    }
-  }
-  for (const fs::path& file : beside)
-  {
-    if (IsFile(folder / file))
-    {
-      return folder / file;
-    }
-  }
-  return {};
+  return MaskFiles(folder).Of(name);
 }
 
 std::vector<fs::path> FilesIn(const fs::path& folder)
@@ -113,7 +86,7 @@ std::vector<std::string> PhotographsIn(const fs::path& folder)
   std::vector<std::string> names;
   for (const fs::path& file : FilesIn(folder))
   {
-    if (IsPicture(file) && !IsNamedMask(file))
+    if (IsPictureName(file) && !IsNamedMask(file))
     {
       names.push_back(file.filename().string());
     }
@@ -153,6 +126,61 @@ bool NaturallyBefore(const std::string& a, const std::string& b)
   }
   // Names that differ by leading zeros only still have an order.
   return a.size() - i != b.size() - j ? i == a.size() : a < b;
+}
+
+fs::path FileOfAnyCase(const fs::path& path)
+{
+  std::error_code failure;
+  if (path.empty() || fs::exists(path, failure) || path == path.parent_path())
+  {
+    return path;
+  }
+  const fs::path folder = FileOfAnyCase(path.parent_path());
+  const std::string wanted = LowerCase(path.filename().string());
+  std::vector<fs::path> found;
+  for (fs::directory_iterator entry(folder.empty() ? "." : folder, failure), end;
+       !failure && entry != end; entry.increment(failure))
+  {
+    if (LowerCase(entry->path().filename().string()) == wanted)
+    {
+      found.push_back(folder / entry->path().filename());
+    }
+  }
+  return found.size() == 1 ? found.front() : path;
+}
+
+fs::path FileMeant(const fs::path& folder, const std::string& path)
+{
+  std::string slashed = path;
+  std::replace(slashed.begin(), slashed.end(), '\\', '/');
+  const bool drive = slashed.size() > 1 && slashed[1] == ':';
+  const fs::path whole = fs::path(drive ? slashed.substr(2) : slashed).lexically_normal();
+  std::vector<fs::path> parts;
+  for (const fs::path& part : whole.relative_path())
+  {
+    if (part != "..")
+    {
+      parts.push_back(part);
+    }
+  }
+  const bool leadsOut = drive || whole.is_absolute() || whole.native().starts_with("..");
+  for (std::size_t from = 0; from < parts.size() && (from == 0 || leadsOut); ++from)
+  {
+    fs::path ending;
+    for (std::size_t i = from; i < parts.size(); ++i)
+    {
+      ending /= parts[i];
+    }
+    for (const fs::path& base : { folder, folder / "images" })
+    {
+      const fs::path file = FileOfAnyCase(base / ending);
+      if (IsFile(file))
+      {
+        return file;
+      }
+    }
+  }
+  return {};
 }
 
 fs::path FileIn(const std::vector<fs::path>& folders, const std::string& name)

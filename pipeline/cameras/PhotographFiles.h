@@ -9,15 +9,11 @@
 
 namespace novelview
 {
-/**
- * The mask file of the photograph folder/name; empty when there is none. For a photograph sub/a.jpg
- * these are looked for, in this order:
- *
- *  - in mask/, masks/ and silhouettes/ of the folder: sub/a.jpg, sub/a.png, sub/a.jpg.png,
- *    sub/a_mask.png, sub/a.mask.png
- *  - beside the photograph: sub/a.jpg.png, sub/a_mask.png, sub/a.mask.png
- */
+/** The mask file of the photograph folder/name, see MaskFiles; empty when there is none. */
 std::filesystem::path MaskFileOf(const std::filesystem::path& folder, const std::string& name);
+
+/** Whether a file has the extension of a picture, in any case of letters. */
+bool IsPictureName(const std::filesystem::path& file);
 
 /**
  * The files that lie in a folder itself, sorted; none when there is no such folder. Throws Error when
@@ -33,6 +29,19 @@ std::vector<std::string> PhotographsIn(const std::filesystem::path& folder);
 
 /** Numbers within names count as numbers: a2 before a10. */
 bool NaturallyBefore(const std::string& a, const std::string& b);
+
+/**
+ * The file of this path; where there is none, the only one whose path differs from it by the case of
+ * letters alone; else the path itself.
+ */
+std::filesystem::path FileOfAnyCase(const std::filesystem::path& path);
+
+/**
+ * The photograph or mask that a calibration means by a path that is no file: written with backslashes,
+ * in another case, or absolute on another computer, of which the longest ending is taken that is a
+ * file in the folder or its images/. Empty when there is none.
+ */
+std::filesystem::path FileMeant(const std::filesystem::path& folder, const std::string& path);
 
 /** The first of these folders that has a file of this name; without any, the first folder's. */
 std::filesystem::path FileIn(

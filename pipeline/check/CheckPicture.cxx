@@ -39,7 +39,7 @@ vtkSmartPointer<vtkImageData> SmallPhotograph(const Photograph& photograph)
   constexpr int DrawnSize = 256;
   try
   {
-    const Image<std::uint8_t> color = ReadColorFile(photograph.File);
+    const Image<std::uint8_t> color = ReadColorFile(photograph.File, photograph.Reading);
     const int every = std::max(1, std::max(color.Width, color.Height) / DrawnSize);
     Image<std::uint8_t> small(color.Width / every, color.Height / every, 3);
     for (int y = 0; y < small.Height; ++y)

@@ -104,7 +104,8 @@ CheckedPhotograph InspectPhotograph(
   checked.Name = photograph.Name;
   try
   {
-    const Image<std::uint8_t> color = ReadColorFile(photograph.File);
+    const Image<std::uint8_t> color =
+      ReadColorFile(photograph.File, photograph.Reading, &checked.Warnings);
     checked.Width = color.Width;
     checked.Height = color.Height;
     if (!forceSilhouette)

@@ -25,6 +25,7 @@ struct CheckedPhotograph
   double Brightness = 0;
   /** Part of the object that is clipped at the top in some channel, 0 to 1. */
   double Clipped = 0;
+  std::vector<std::string> Warnings; ///< about its tones, one sentence each
   std::vector<std::string> Problems; ///< what cannot be read or does not fit, one sentence each
 };
 

@@ -110,8 +110,9 @@ std::vector<ConventionTrial> TryConventions(const fs::path& folder, const Datase
     std::vector<Photograph> cameras;
     try
     {
-      const DatasetIndex index =
-        ReadDatasetIndex(folder, SourceReadAs(source, own, trial.Convention));
+      DatasetSource read = SourceReadAs(source, own, trial.Convention);
+      read.ExifOrientation = "ignore"; // masks are read already
+      const DatasetIndex index = ReadDatasetIndex(folder, read);
       cameras = WithoutExcluded(index, exclude);
     }
     catch (const Error&)

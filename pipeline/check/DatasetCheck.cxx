@@ -8,6 +8,7 @@
 #include "check/ExposureCheck.h"
 #include "check/FileCheck.h"
 #include "check/MaskCheck.h"
+#include "check/OrientationCheck.h"
 #include "check/PixelCentreCheck.h"
 
 #include <algorithm>
@@ -32,6 +33,16 @@ void ReadPhotographs(CheckContext& context, const Execution& execution)
   }
   execution.Report(0.2);
 }
+
+/** What reading ignored, guessed or changed. */
+void CheckReading(CheckContext& context)
+{
+  for (const ReadingNote& note : context.Index.Notes)
+  {
+    context.Add(
+      note.Harmful ? CheckSeverity::Warning : CheckSeverity::Note, note.Kind, "", note.Text);
+  }
+}
 }
 
 CheckReport CheckDataset(const DatasetInput& input, const Execution& execution)
@@ -40,6 +51,8 @@ CheckReport CheckDataset(const DatasetInput& input, const Execution& execution)
   ReadPhotographs(context, execution);
   CheckConvention(context);
   execution.Report(0.6);
+  CheckReading(context);
+  CheckOrientation(context);
   CheckFiles(context);
   CheckMasks(context);
   CheckExposure(context);

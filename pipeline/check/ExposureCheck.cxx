@@ -44,6 +44,10 @@ void CheckExposure(CheckContext& context)
   }
   for (const CheckedPhotograph& photograph : context.Report.Photographs)
   {
+    for (const std::string& warning : photograph.Warnings)
+    {
+      context.Add(CheckSeverity::Warning, "tones", photograph.Name, warning);
+    }
     if (photograph.Clipped > clipped + 0.1)
     {
       context.Add(CheckSeverity::Warning, "clipped", photograph.Name,

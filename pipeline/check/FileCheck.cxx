@@ -3,6 +3,7 @@
 
 #include "masks/Coverage.h"
 
+#include <algorithm>
 #include <string>
 
 namespace novelview
@@ -29,9 +30,19 @@ void CheckFiles(CheckContext& context)
     for (const std::string& warning : CheckCoverage(covered, "view"))
     {
       const bool border = warning.find("leaves the frame") != std::string::npos;
-      context.Add(CheckSeverity::Warning, border ? "border" : "coverage", photograph.Name,
+      // What the frame cuts in some views the others bound; nothing is wrong.
+      context.Add(border ? CheckSeverity::Note : CheckSeverity::Warning,
+        border ? "border" : "coverage", photograph.Name,
         warning.substr(std::string("view: ").size()));
     }
+  }
+  const auto& photographs = context.Report.Photographs;
+  if (std::all_of(photographs.begin(), photographs.end(),
+        [](const CheckedPhotograph& each) { return each.Covered.TouchesBorder(); }))
+  {
+    context.Add(CheckSeverity::Warning, "border", "",
+      "the frame cuts the object in every view, so the silhouettes may not bound it; --hull-box "
+      "does");
   }
   if (context.Report.Photographs.size() < 3)
   {

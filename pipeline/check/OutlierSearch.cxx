@@ -161,6 +161,14 @@ std::string OutlierSearch::DescribeExclusivelyCarved(int id) const
     : "only " + Percent(iou) + " of its silhouette lies in the hull";
 }
 
+/** The silhouette that a photograph shows. */
+Image<std::uint8_t> OutlierSearch::Seen(int id) const
+{
+  const Photograph& photograph = this->Cameras[id];
+  return ExtractSilhouette(
+    ReadColorFile(photograph.File, photograph.Reading).Ref(), this->Extraction);
+}
+
 /** Two views whose silhouettes agree when they are swapped. */
 void OutlierSearch::ExplainSwaps()
 {
@@ -177,8 +185,7 @@ void OutlierSearch::ExplainSwaps()
       {
         continue;
       }
-      const Image<std::uint8_t> seen =
-        ExtractSilhouette(ReadColorFile(this->Cameras[a].File).Ref(), this->Extraction);
+      const Image<std::uint8_t> seen = this->Seen(a);
       const bool masks =
         MaskIou(seen, this->Masks[b].Pixels) > MaskIou(seen, this->Masks[a].Pixels) + 0.05;
       for (const auto& [id, other] : { std::pair(a, b), std::pair(b, a) })
@@ -206,9 +213,7 @@ OutlierView OutlierSearch::ExplainByPhotograph(int id)
       "does not fit the others: " + against +
         "; the silhouette taken from the photograph, the photograph or its camera is wrong" };
   }
-  const FoundMask seen{ ExtractSilhouette(
-                          ReadColorFile(this->Cameras[id].File).Ref(), this->Extraction),
-    MaskSource::Extracted };
+  const FoundMask seen{ this->Seen(id), MaskSource::Extracted };
   if (this->AgreesWith(id, seen, false))
   {
     return { id, "mask",

@@ -52,6 +52,7 @@ private:
   void Reinstate();
   bool AgreesWithRest(const std::vector<int>& more) const;
   bool AgreesWith(int id, const FoundMask& mask, bool invert);
+  Image<std::uint8_t> Seen(int id) const;
   void Explain();
   void ExplainSwaps();
   OutlierView ExplainOne(int id);

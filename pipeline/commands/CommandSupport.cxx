@@ -27,6 +27,14 @@ DatasetIndex FindInput(const DatasetInput& input)
   return ReadDatasetIndex(input.Dataset, input.Source);
 }
 
+void WarnOf(const DatasetIndex& index, Console& console)
+{
+  for (const ReadingNote& note : index.Notes)
+  {
+    console.Warn(note.Text);
+  }
+}
+
 Dataset ReadInput(const DatasetInput& input, const DatasetIndex& index,
   const std::vector<std::string>& heldOut, Console& console)
 {

@@ -24,6 +24,9 @@ void PrepareFolder(
 /** The calibration of the photographs. */
 DatasetIndex FindInput(const DatasetInput& input);
 
+/** Says what reading the calibration ignored, guessed or changed; ReadInput() does, too. */
+void WarnOf(const DatasetIndex& index, Console& console);
+
 /** Reads the photographs, but for those that are excluded or held out, and says the warnings. */
 Dataset ReadInput(const DatasetInput& input, const DatasetIndex& index,
   const std::vector<std::string>& heldOut, Console& console);

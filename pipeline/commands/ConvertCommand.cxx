@@ -7,6 +7,7 @@
 #include "base/UsageError.h"
 #include "commands/CommandSupport.h"
 #include "dataset/Dataset.h"
+#include "dataset/ViewSpec.h"
 #include "formats/DatasetFormats.h"
 #include "images/ImageFile.h"
 
@@ -37,8 +38,8 @@ void CopyFile(const fs::path& from, const fs::path& to)
 struct Conversion
 {
   Photograph From;
-  Photograph To; ///< name and camera as written; Mask is set by Transfer()
-  bool Undistort = false;
+  Photograph To;          ///< name and camera as written; Mask is set by Transfer()
+  bool Undistort = false; ///< or turned: its pixels are written anew
 };
 
 /** What is to be done, with every name checked and every size known. */
@@ -48,7 +49,9 @@ std::vector<Conversion> Plan(const std::vector<Photograph>& photographs, bool un
   std::set<std::string> names;
   for (const Photograph& photograph : photographs)
   {
-    Conversion each{ photograph, photograph, undistort && !photograph.Distortion.IsPinhole() };
+    // Readers of the new data set need not ask about an orientation that is applied.
+    Conversion each{ photograph, photograph,
+      (undistort && !photograph.Distortion.IsPinhole()) || photograph.Reading.Orientation != 1 };
     Photograph& to = each.To;
     to.Name = NameOfFile(photograph.Name);
     if (each.Undistort)
@@ -63,9 +66,9 @@ std::vector<Conversion> Plan(const std::vector<Photograph>& photographs, bool un
     }
     if (to.Cam.Width == 0)
     {
-      const PictureSize size = ReadPictureSize(photograph.File);
-      to.Cam.Width = size.Width;
-      to.Cam.Height = size.Height;
+      const Camera sized = SizedCamera(photograph);
+      to.Cam.Width = sized.Width;
+      to.Cam.Height = sized.Height;
     }
     to.Mask.clear();
     plan.push_back(each);
@@ -106,6 +109,13 @@ void CheckFolder(const fs::path& from, const fs::path& out, const std::vector<Fi
   }
 }
 
+/** The pixels as a pinhole would have taken them. */
+Image<std::uint8_t> Straight(const Image<std::uint8_t>& pixels, const Photograph& from)
+{
+  return from.Distortion.IsPinhole() ? pixels
+                                     : Undistorted(pixels.Ref(), from.Distortion, from.Cam.K);
+}
+
 /** The mask as it is to be written; empty when the photograph has none. */
 Image<std::uint8_t> MaskPixels(const Conversion& each)
 {
@@ -119,7 +129,7 @@ Image<std::uint8_t> MaskPixels(const Conversion& each)
     throw Error(each.From.Mask.string(), "mask has another size than its photograph",
       SizeText(mask.Width, mask.Height), SizeText(each.To.Cam.Width, each.To.Cam.Height));
   }
-  return each.Undistort ? Undistorted(mask.Ref(), each.From.Distortion, each.From.Cam.K) : mask;
+  return each.Undistort ? Straight(mask, each.From) : mask;
 }
 
 /** Whether the mask's file is copied; else its pixels are written. */
@@ -160,8 +170,8 @@ void Transfer(Conversion& each, const DatasetFormat& format, const fs::path& out
   const fs::path photo = out / format.PhotoFolder / each.To.Name;
   if (each.Undistort)
   {
-    const Image<std::uint8_t> color = ReadColorFile(from.File);
-    WriteImageFile(photo, Undistorted(color.Ref(), from.Distortion, from.Cam.K).Ref());
+    const Image<std::uint8_t> color = ReadColorFile(from.File, from.Reading);
+    WriteImageFile(photo, Straight(color, from).Ref());
   }
   else
   {
@@ -206,6 +216,7 @@ void ConvertDataset(const ConvertOptions& options, Console& console)
 {
   const DatasetFormat& format = FormatOf(options.Format);
   const DatasetIndex index = ReadDatasetIndex(options.Dataset, options.Source);
+  WarnOf(index, console);
   const std::vector<Photograph> photographs = WithoutExcluded(index, options.Exclude);
   const bool held = std::all_of(photographs.begin(), photographs.end(), format.HoldsLens);
   std::vector<Conversion> plan = Plan(photographs, options.Undistort || !held);

@@ -15,7 +15,7 @@ OptionTable OptionsOf(ConvertOptions& options)
   OptionTable table = {
     { "out", "folder for the new data set", "", convert, &options.Out },
     { "format", "format to write", "", convert, &options.Format, -Unlimited, Unlimited,
-      DatasetFormatNames() },
+      WritableFormatNames() },
     { "exclude", "photographs to leave out", "", convert, &options.Exclude },
     { "undistort", "undistort photographs also where the format could hold the distortion", "",
       convert, &options.Undistort },

@@ -27,12 +27,13 @@ struct MaskTask
   std::string Name;
   fs::path Photo;
   fs::path Target;
+  ColorReading Reading;
   Image<std::uint8_t> Mask;
   MaskThumbnail Thumbnail;
 };
 
 /** The photographs of the calibration or, where there is none, all that lie in the folder. */
-std::vector<Photograph> PhotographsOf(const MaskOptions& options)
+std::vector<Photograph> PhotographsOf(const MaskOptions& options, Console& console)
 {
   std::error_code failure;
   const bool calibrated = !options.Source.Calibration.empty() || options.Source.Format != "auto" ||
@@ -41,6 +42,7 @@ std::vector<Photograph> PhotographsOf(const MaskOptions& options)
   if (calibrated)
   {
     index = ReadDatasetIndex(options.Dataset, options.Source);
+    WarnOf(index, console);
     return WithoutExcluded(index, options.Exclude);
   }
   for (const fs::path& folder : { options.Dataset, options.Dataset / "images" })
@@ -69,14 +71,14 @@ std::string MaskName(const std::string& name)
 }
 
 /** Where each mask goes; throws UsageError when it is taken. */
-std::vector<MaskTask> PlanMasks(const MaskOptions& options)
+std::vector<MaskTask> PlanMasks(const MaskOptions& options, Console& console)
 {
   const fs::path out = options.InPlace ? options.Dataset : options.Out;
   std::vector<MaskTask> tasks;
   std::set<fs::path> targets;
-  for (const Photograph& photograph : PhotographsOf(options))
+  for (const Photograph& photograph : PhotographsOf(options, console))
   {
-    MaskTask task{ NameOfFile(photograph.Name), photograph.File, {}, {}, {} };
+    MaskTask task{ NameOfFile(photograph.Name), photograph.File, {}, photograph.Reading, {}, {} };
     task.Target = out / "mask" / MaskName(task.Name);
     if (options.InPlace && !photograph.Mask.empty())
     {
@@ -129,9 +131,9 @@ void AnnounceMasks(
   PrepareFolder(sheet.parent_path(), { sheet.filename() });
 }
 
-Image<std::uint8_t> AlphaMask(const fs::path& photograph)
+Image<std::uint8_t> AlphaMask(const fs::path& photograph, int orientation)
 {
-  Image<std::uint8_t> mask = ReadAlphaFile(photograph);
+  Image<std::uint8_t> mask = ReadAlphaFile(photograph, orientation);
   if (mask.Values.empty())
   {
     throw Error(photograph.string(), "has no alpha channel, or an opaque one");
@@ -173,27 +175,28 @@ SilhouetteOptions SilhouetteOptionsOf(const MaskOptions& options)
 
 void MakeMask(MaskTask& task, const MaskOptions& options)
 {
-  task.Mask = MaskOf(task.Photo, options);
-  const Image<std::uint8_t> color = ReadColorFile(task.Photo);
+  task.Mask = MaskOf(task.Photo, options, task.Reading);
+  const Image<std::uint8_t> color = ReadColorFile(task.Photo, task.Reading);
   task.Thumbnail = MakeMaskThumbnail(task.Name, color.Ref(), task.Mask.Ref());
 }
 }
 
-Image<std::uint8_t> MaskOf(const fs::path& photograph, const MaskOptions& options)
+Image<std::uint8_t> MaskOf(
+  const fs::path& photograph, const MaskOptions& options, const ColorReading& reading)
 {
   if (options.Method == "alpha")
   {
-    return AlphaMask(photograph);
+    return AlphaMask(photograph, reading.Orientation);
   }
   if (options.Method == "auto")
   {
-    Image<std::uint8_t> alpha = ReadAlphaFile(photograph);
+    Image<std::uint8_t> alpha = ReadAlphaFile(photograph, reading.Orientation);
     if (!alpha.Values.empty())
     {
       return alpha;
     }
   }
-  const Image<std::uint8_t> color = ReadColorFile(photograph);
+  const Image<std::uint8_t> color = ReadColorFile(photograph, reading);
   try
   {
     Image<std::uint8_t> mask = options.Method == "grabcut"
@@ -210,7 +213,7 @@ Image<std::uint8_t> MaskOf(const fs::path& photograph, const MaskOptions& option
 
 void WriteMasks(const MaskOptions& options, Console& console)
 {
-  std::vector<MaskTask> tasks = PlanMasks(options);
+  std::vector<MaskTask> tasks = PlanMasks(options, console);
   const fs::path sheet =
     (options.InPlace ? options.Dataset / "mask" : options.Out) / "contact-sheet.png";
   AnnounceMasks(tasks, sheet, options);

@@ -4,7 +4,7 @@
 
 #include "base/Console.h"
 #include "commands/MaskOptions.h"
-#include "core/ImageRef.h"
+#include "images/ImageFile.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -23,7 +23,8 @@ namespace novelview
 void WriteMasks(const MaskOptions& options, Console& console);
 
 /** The mask of one photograph, by the method that the options name. Throws Error. */
-Image<std::uint8_t> MaskOf(const std::filesystem::path& photograph, const MaskOptions& options);
+Image<std::uint8_t> MaskOf(const std::filesystem::path& photograph, const MaskOptions& options,
+  const ColorReading& reading = {});
 }
 
 #endif

@@ -3,11 +3,17 @@
 
 #include "ViewAccess.h"
 #include "base/InputFile.h"
+#include "base/NumberText.h"
 #include "base/Parallel.h"
 #include "cameras/CameraLimits.h"
 #include "core/Error.h"
+#include "dataset/DatasetFiles.h"
+#include "dataset/ExifDecision.h"
 #include "formats/DatasetFormats.h"
+#include "formats/ForeignCalibrations.h"
+#include "images/ExifOrientation.h"
 #include "images/ImageFile.h"
+#include "images/MaskImage.h"
 #include "silhouettes/ContourDistance.h"
 
 #include <vtkImageData.h>
@@ -56,21 +62,6 @@ void CheckCameras(const std::vector<Photograph>& photographs, const fs::path& ca
   }
 }
 
-/** Fills in the masks that the calibration does not name. */
-void FindMasks(const fs::path& folder, std::vector<Photograph>& photographs)
-{
-  for (Photograph& photograph : photographs)
-  {
-    for (const fs::path& base : { folder, folder / "images" })
-    {
-      if (photograph.Mask.empty())
-      {
-        photograph.Mask = MaskFileOf(base, photograph.Name);
-      }
-    }
-  }
-}
-
 void Invert(Image<std::uint8_t>& mask)
 {
   for (std::uint8_t& value : mask.Values)
@@ -86,6 +77,13 @@ void CheckSize(const Image<std::uint8_t>& mask, int width, int height, const fs:
     throw Error(maskFile.string(), "mask has another size than its photograph",
       SizeText(mask.Width, mask.Height), SizeText(width, height));
   }
+}
+
+/** A text without its numbers, by which warnings are alike. */
+std::string WithoutNumbers(std::string text)
+{
+  std::erase_if(text, [](char c) { return (c >= '0' && c <= '9') || c == '.'; });
+  return text;
 }
 
 /** One photograph, read and prepared. */
@@ -109,7 +107,12 @@ Prepared Prepare(const Photograph& photograph, const DatasetOptions& options)
   Prepared result;
   result.Extracted = pixels.Source == MaskSource::Extracted;
   result.Covered = MeasureCoverage(mask.Ref());
-  result.Warnings = CheckCoverage(result.Covered, "view " + photograph.Name);
+  result.Warnings = pixels.Warnings;
+  const std::string where = "view " + photograph.Name;
+  for (const std::string& warning : CheckCoverage(result.Covered, where))
+  {
+    result.Warnings.push_back(warning.substr(where.size() + 2));
+  }
   result.Block = NewImage(mask.Width, mask.Height);
   SetPixels(result.Block, arrays::Color, pixels.Color.Ref());
   SetPixels(result.Block, arrays::Mask, mask.Ref());
@@ -156,6 +159,33 @@ std::string MissingMasks(
   return any && !names.empty() ? "no mask, silhouette extracted: " + names : "";
 }
 
+/** The warnings of all views; those that are alike become one, with the first names and the count. */
+std::vector<std::string> Grouped(
+  const std::vector<Photograph>& cameras, const std::vector<Prepared>& prepared)
+{
+  constexpr std::size_t named = 3;
+  std::vector<std::pair<std::string, std::vector<std::string>>> groups; // text, names
+  for (std::size_t i = 0; i < cameras.size(); ++i)
+  {
+    for (const std::string& text : prepared[i].Warnings)
+    {
+      const auto same = std::find_if(groups.begin(), groups.end(),
+        [&](const auto& group) { return WithoutNumbers(group.first) == WithoutNumbers(text); });
+      (same == groups.end() ? groups.emplace_back(text, std::vector<std::string>()) : *same)
+        .second.push_back(cameras[i].Name);
+    }
+  }
+  std::vector<std::string> warnings;
+  for (auto& [text, names] : groups)
+  {
+    const std::size_t count = names.size();
+    names.resize(std::min(count, named));
+    warnings.push_back((count == 1 ? "view " : std::to_string(count) + " views (") + Joined(names) +
+      (count > named ? " .." : "") + (count == 1 ? ": " : "): ") + text);
+  }
+  return warnings;
+}
+
 /** What a calibration names is an input, whether it is read or left out. */
 void ProtectInputs(const fs::path& calibration, const std::vector<Photograph>& photographs)
 {
@@ -173,15 +203,33 @@ DatasetIndex ReadDatasetIndex(const fs::path& folder, const DatasetSource& sourc
   std::error_code failure;
   if (!fs::is_directory(folder, failure))
   {
-    throw Error(folder.string(), "no such folder");
+    if (!fs::exists(folder, failure))
+    {
+      throw Error(folder.string(), "no such folder");
+    }
+    const std::string foreign = ForeignFile(folder);
+    throw Error(folder.string(),
+      foreign.empty()
+        ? "is a file, not the folder of a data set; give the folder, and the file with "
+          "--calibration"
+        : foreign);
   }
   const FoundCalibration found = ChooseCalibration(folder, source.Calibration, source.Format);
   Calibration calibration = found.Format->Read(folder, found.File);
+  FindFilesMeant(folder, calibration.Photographs, calibration.Notes);
   ApplyConvention(Override(calibration.Convention, source.Convention), calibration.Photographs);
   CheckCameras(calibration.Photographs, found.File);
-  FindMasks(folder, calibration.Photographs);
+  FindMasks(folder, calibration.Photographs, calibration.Notes);
+  NotePhotographsWithoutCamera(folder, calibration.Photographs, calibration.Notes);
   ProtectInputs(found.File, calibration.Photographs);
-  return { folder, found.File, found.Format->Name, std::move(calibration.Photographs) };
+  DatasetIndex index{ folder, found.File, found.Format->Name, std::move(calibration.Photographs),
+    std::move(calibration.Notes) };
+  for (Photograph& photograph : index.Cameras)
+  {
+    photograph.Reading.WhiteLevel = source.WhiteLevel.value_or(0);
+  }
+  DecideExifOrientation(source.ExifOrientation, index.Cameras, index.Notes);
+  return index;
 }
 
 std::vector<Photograph> ReadViewCameras(const fs::path& calibration)
@@ -191,7 +239,7 @@ std::vector<Photograph> ReadViewCameras(const fs::path& calibration)
   Calibration read = found.Format->Read(folder, found.File);
   ApplyConvention(read.Convention, read.Photographs);
   CheckCameras(read.Photographs, found.File);
-  FindMasks(folder, read.Photographs);
+  FindMasks(folder, read.Photographs, read.Notes);
   ProtectInputs(found.File, read.Photographs);
   return read.Photographs;
 }
@@ -199,20 +247,23 @@ std::vector<Photograph> ReadViewCameras(const fs::path& calibration)
 std::vector<Photograph> WithoutExcluded(
   const DatasetIndex& index, const std::vector<std::string>& exclude)
 {
+  std::set<std::string> excluded;
+  for (const std::string& name : exclude)
+  {
+    const Photograph* const photograph = PhotographOfName(index.Cameras, name);
+    if (!photograph)
+    {
+      throw Error(index.Calibration.string(), "no photograph of the name to exclude: " + name);
+    }
+    excluded.insert(photograph->Name);
+  }
   std::vector<Photograph> kept;
-  std::set<std::string> unknown(exclude.begin(), exclude.end());
   for (const Photograph& camera : index.Cameras)
   {
-    unknown.erase(camera.Name);
-    if (std::find(exclude.begin(), exclude.end(), camera.Name) == exclude.end())
+    if (!excluded.contains(camera.Name))
     {
       kept.push_back(camera);
     }
-  }
-  if (!unknown.empty())
-  {
-    throw Error(
-      index.Calibration.string(), "no photograph of the name to exclude: " + *unknown.begin());
   }
   if (kept.empty())
   {
@@ -223,8 +274,9 @@ std::vector<Photograph> WithoutExcluded(
 
 Image<std::uint8_t> ReadGivenMask(const Photograph& photograph)
 {
-  Image<std::uint8_t> mask =
-    photograph.Mask.empty() ? ReadAlphaFile(photograph.File) : ReadGreyFile(photograph.Mask);
+  Image<std::uint8_t> mask = photograph.Mask.empty()
+    ? ReadAlphaFile(photograph.File, photograph.Reading.Orientation)
+    : ReadMaskFile(photograph.Mask);
   if (photograph.InvertMask)
   {
     Invert(mask);
@@ -236,13 +288,18 @@ PhotographPixels ReadPhotograph(
   const Photograph& photograph, bool forceSilhouette, const SilhouetteOptions& silhouette)
 {
   PhotographPixels pixels;
-  pixels.Color = ReadColorFile(photograph.File);
+  pixels.Color = ReadColorFile(photograph.File, photograph.Reading, &pixels.Warnings);
   const int width = pixels.Color.Width;
   const int height = pixels.Color.Height;
   const Camera& camera = photograph.Cam;
   if (camera.Width > 0 && (camera.Width != width || camera.Height != height))
   {
-    throw Error(photograph.File.string(), "photograph has another size than its calibration",
+    const int tag = ReadExifOrientation(photograph.File);
+    throw Error(photograph.File.string(),
+      "photograph has another size than its calibration" +
+        (tag == 1 ? ""
+                  : ", with its EXIF orientation tag (" + std::to_string(tag) + ") " +
+              (photograph.Reading.Orientation == 1 ? "ignored" : "applied")),
       SizeText(width, height), SizeText(camera.Width, camera.Height));
   }
   if (!forceSilhouette)
@@ -275,13 +332,17 @@ Dataset ReadDataset(const DatasetIndex& index, const DatasetOptions& options,
   CheckSizes(cameras, prepared);
   Dataset dataset;
   dataset.Views = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  for (const ReadingNote& note : index.Notes)
+  {
+    dataset.Warnings.push_back(note.Text);
+  }
   for (std::size_t i = 0; i < cameras.size(); ++i)
   {
     AppendView(dataset.Views, cameras[i].Name, prepared[i].Block, cameras[i].Cam);
     dataset.Coverages.push_back(prepared[i].Covered);
-    dataset.Warnings.insert(
-      dataset.Warnings.end(), prepared[i].Warnings.begin(), prepared[i].Warnings.end());
   }
+  const std::vector<std::string> warnings = Grouped(cameras, prepared);
+  dataset.Warnings.insert(dataset.Warnings.end(), warnings.begin(), warnings.end());
   const std::string missing = MissingMasks(cameras, prepared);
   if (!missing.empty())
   {

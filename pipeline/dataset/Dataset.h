@@ -19,6 +19,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,9 @@ struct DatasetSource
   std::filesystem::path Calibration = {}; ///< file, or folder of a COLMAP model; empty = found
   std::string Format = "auto";            ///< a name of DatasetFormats.h; "auto" = found
   CameraConvention Convention = {};       ///< goes over the format's own
+  /** Orientation tags of photographs: "ignore", "apply", or "auto" (see ExifDecision.h). */
+  std::string ExifOrientation = "auto";
+  std::optional<double> WhiteLevel = {}; ///< of photographs with more than 8 bits; else the file's
 };
 
 /** A data set before any picture is decoded. Cameras are in the project's convention. */
@@ -39,6 +43,7 @@ struct DatasetIndex
   std::filesystem::path Calibration; ///< the file that was read
   std::string Format;                ///< its format
   std::vector<Photograph> Cameras;   ///< with distinct names
+  std::vector<ReadingNote> Notes;    ///< what was ignored, guessed or changed
 };
 
 /**
@@ -80,6 +85,13 @@ struct Dataset
 Dataset ReadDataset(const DatasetIndex& index, const DatasetOptions& options = {},
   const std::function<void(double fraction)>& progress = {});
 
+/**
+ * The photograph that goes by a name: its own, or as the calibration or the folder has it (images/a.png,
+ * ./a.png, or a where only one photograph is a.png or a.jpg); null when there is none.
+ */
+const Photograph* PhotographOfName(
+  const std::vector<Photograph>& photographs, const std::string& name);
+
 /** The photographs that are not excluded. Errors as ReadDataset(). */
 std::vector<Photograph> WithoutExcluded(
   const DatasetIndex& index, const std::vector<std::string>& exclude);
@@ -98,6 +110,7 @@ struct PhotographPixels
   Image<std::uint8_t> Color; ///< RGB
   Image<std::uint8_t> Mask;  ///< above 127 = object; also 0 where undistorting exposes the border
   MaskSource Source = MaskSource::File;
+  std::vector<std::string> Warnings; ///< about its tones
 };
 
 /**

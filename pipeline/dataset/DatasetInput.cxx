@@ -27,6 +27,11 @@ OptionTable OptionsOf(DatasetSource& source, const char* formatKey)
     { "flipY", "y of cameras and pixels points up; a left-handed world is mirrored", "", group,
       &convention.FlipY },
     { "invertMasks", "the object is black in the masks", "", group, &convention.InvertMasks },
+    { "exifOrientation",
+      "whether photographs are turned as their EXIF data say; auto = as the calibration needs", "",
+      group, &source.ExifOrientation, -Unlimited, Unlimited, { "auto", "ignore", "apply" } },
+    { "whiteLevel", "value of white in photographs of more than 8 bits; the file's when not given",
+      "", group, &source.WhiteLevel, 0, 65535 },
   };
 }
 

@@ -3,9 +3,12 @@
 
 #include "base/UsageError.h"
 #include "core/Error.h"
+#include "images/ExifOrientation.h"
 #include "images/ImageFile.h"
 
+#include <algorithm>
 #include <charconv>
+#include <cmath>
 
 namespace novelview
 {
@@ -93,15 +96,17 @@ const Photograph& FindByNameOrNumber(const DatasetIndex& dataset, const std::str
     }
     return dataset.Cameras[number];
   }
-  return Find(dataset.Cameras, text, dataset.Calibration.string());
+  const Photograph* const named = PhotographOfName(dataset.Cameras, text);
+  return named ? *named : Find(dataset.Cameras, text, dataset.Calibration.string());
 }
 
-/** Sets the size to that of a picture. */
-void SetSizeFrom(Camera& camera, const fs::path& picture)
+/** Sets the size to that of the picture. */
+void SetSizeFromPicture(Camera& camera, const Photograph& photograph)
 {
-  const PictureSize size = ReadPictureSize(picture);
-  camera.Width = size.Width;
-  camera.Height = size.Height;
+  const PictureSize size = ReadPictureSize(photograph.File);
+  const bool turned = SwapsSides(photograph.Reading.Orientation);
+  camera.Width = turned ? size.Height : size.Width;
+  camera.Height = turned ? size.Width : size.Height;
 }
 
 /** Sets the size to that of a photograph, opening it only when its calibration does not say it. */
@@ -109,7 +114,7 @@ void SetSizeFrom(Camera& camera, const Photograph& photograph)
 {
   if (photograph.Cam.Width == 0)
   {
-    SetSizeFrom(camera, photograph.File);
+    SetSizeFromPicture(camera, photograph);
     return;
   }
   camera.Width = photograph.Cam.Width;
@@ -142,6 +147,43 @@ ResolvedView ResolveFile(const ViewSpec& spec, const DatasetIndex& dataset)
   }
   return view;
 }
+}
+
+Camera SizedCamera(const Photograph& photograph)
+{
+  Camera camera = photograph.Cam;
+  SetSizeFrom(camera, photograph);
+  return camera;
+}
+
+Camera InFrame(const Photograph& photograph, int width, int height, const std::string& with)
+{
+  constexpr double alike = 0.01; // cropping changes more, rounding of sizes less
+  Camera camera = SizedCamera(photograph);
+  const double x = static_cast<double>(width) / camera.Width;
+  const double y = static_cast<double>(height) / camera.Height;
+  if (std::abs(x - y) <= alike * std::max(x, y))
+  {
+    // Pixel centres are integers: x + 0.5 is what scales.
+    camera.K.topRows<2>() = Eigen::Vector2d(x, y).asDiagonal() * camera.K.topRows<2>();
+    camera.K(0, 2) += (x - 1) / 2;
+    camera.K(1, 2) += (y - 1) / 2;
+  }
+  else if (camera.Width == height && camera.Height == width)
+  {
+    camera.K(0, 2) += (width - camera.Width) / 2.0;
+    camera.K(1, 2) += (height - camera.Height) / 2.0;
+  }
+  else
+  {
+    throw Error("view " + photograph.Name,
+      "has another shape than " + with + ", so their cameras cannot be averaged",
+      SizeText(camera.Width, camera.Height),
+      SizeText(width, height) + ", or a size that is scaled or turned from it");
+  }
+  camera.Width = width;
+  camera.Height = height;
+  return camera;
 }
 
 ViewSpec ParseViewSpec(const std::string& text)
@@ -227,8 +269,9 @@ ResolvedView ResolveViewSpec(const ViewSpec& spec, const DatasetIndex& dataset)
   }
   const Photograph& from = FindByNameOrNumber(dataset, spec.From);
   const Photograph& to = FindByNameOrNumber(dataset, spec.To);
-  view.Cam = InterpolateOnOrbit(from.Cam, to.Cam, spec.Fraction);
-  SetSizeFrom(view.Cam, from);
+  const Camera start = SizedCamera(from);
+  view.Cam =
+    InterpolateOnOrbit(start, InFrame(to, start.Width, start.Height, from.Name), spec.Fraction);
   return view;
 }
 }

@@ -55,10 +55,20 @@ struct ResolvedView
   Photograph Truth;    ///< picture to compare with; File is empty when none is known
 };
 
+/** A photograph's camera with its size, which is opened only when its calibration does not say it. */
+Camera SizedCamera(const Photograph& photograph);
+
+/**
+ * A photograph's camera for a frame of another size: K scaled where the shapes are alike (within 1 %),
+ * the principal point as far from the middle of the frame where portrait and landscape are. Throws
+ * Error where neither is so; `with` names what the frame is taken from.
+ */
+Camera InFrame(const Photograph& photograph, int width, int height, const std::string& with);
+
 /**
  * Looks the cameras of a view up. The picture's size is that of the photograph A, of IMAGE, of the
  * picture NAME or, where there is none, of the first photograph of the data set. Throws UsageError
- * when a name or number is unknown.
+ * when a name or number is unknown, Error when A and B have frames that cannot be averaged.
  */
 ResolvedView ResolveViewSpec(const ViewSpec& spec, const DatasetIndex& dataset);
 }

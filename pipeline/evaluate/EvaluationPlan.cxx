@@ -52,12 +52,15 @@ PlannedSet TestViews(const DatasetIndex& dataset, std::vector<std::string>& warn
 {
   PlannedSet set;
   const fs::path folder = dataset.Folder / "test";
+  const fs::path split = dataset.Calibration.parent_path() / "transforms_test.json"; // of NeRF
   std::error_code failure;
-  if (!fs::is_directory(folder, failure) || ParFilesIn(folder).empty())
+  const bool own = fs::is_directory(folder, failure) && !ParFilesIn(folder).empty();
+  if (!own && !(dataset.Format == "nerf" && fs::is_regular_file(split, failure)))
   {
     return set;
   }
-  const DatasetIndex tests = ReadDatasetIndex(folder, { .Format = "middlebury" });
+  const DatasetIndex tests = own ? ReadDatasetIndex(folder, { .Format = "middlebury" })
+                                 : ReadDatasetIndex(dataset.Folder, { split });
   std::string missing;
   for (const NamedCamera& camera : tests.Cameras)
   {

@@ -82,7 +82,7 @@ bool ParseAssignment(const std::string& line, std::string& name, Assigned& assig
 
 Script ReadScript(const fs::path& path)
 {
-  std::istringstream file(ReadInputFile(path));
+  std::istringstream file(ReadInputText(path));
   Script script;
   int lineNumber = 0;
   for (std::string line; std::getline(file, line);)
@@ -325,9 +325,8 @@ DatasetFormat BouguetFormat()
   format.Find = [](const fs::path& folder)
   {
     std::error_code failure;
-    return fs::is_regular_file(folder / "Calib_Results.m", failure)
-      ? std::vector{ folder / "Calib_Results.m" }
-      : std::vector<fs::path>();
+    const fs::path file = FileOfAnyCase(folder / "Calib_Results.m");
+    return fs::is_regular_file(file, failure) ? std::vector{ file } : std::vector<fs::path>();
   };
   format.Accepts = [](const fs::path& path) { return path.extension() == ".m"; };
   format.Read = ReadBouguet;

@@ -62,24 +62,106 @@ void SetPose(const ColmapImage& image, Camera& camera)
 bool HasModel(const fs::path& folder, const char* extension)
 {
   std::error_code failure;
-  return fs::is_regular_file(folder / (std::string("cameras") + extension), failure) &&
-    fs::is_regular_file(folder / (std::string("images") + extension), failure);
+  const auto exists = [&](const char* stem)
+  { return fs::is_regular_file(FileOfAnyCase(folder / (std::string(stem) + extension)), failure); };
+  return exists("cameras") && exists("images");
 }
 
-/** The images file of the first model of these encodings. */
-std::vector<fs::path> FindModel(const fs::path& folder, const std::vector<const char*>& extensions)
+/** The folders in which COLMAP leaves models: the data set's, sparse/ and those numbered in there. */
+std::vector<fs::path> ModelPlaces(const fs::path& folder)
 {
-  for (const fs::path& place : { folder, folder / "sparse", folder / "sparse" / "0" })
+  std::vector<fs::path> places{ folder, folder / "sparse" };
+  std::vector<std::string> numbers;
+  std::error_code failure;
+  for (fs::directory_iterator entry(folder / "sparse", failure), end; !failure && entry != end;
+       entry.increment(failure))
+  {
+    numbers.push_back(entry->path().filename().string());
+  }
+  std::sort(numbers.begin(), numbers.end(), NaturallyBefore);
+  for (const std::string& number : numbers)
+  {
+    places.push_back(folder / "sparse" / number);
+  }
+  return places;
+}
+
+/** How many images a model has, as its file says it; 0 when it cannot be read. */
+std::size_t ImageCount(const fs::path& imagesFile)
+{
+  try
+  {
+    const fs::path place = imagesFile.parent_path();
+    return (imagesFile.extension() == ".bin" ? ReadColmapBinary(place) : ReadColmapText(place))
+      .Images.size();
+  }
+  catch (const Error&)
+  {
+    return 0; // who reads it says why
+  }
+}
+
+/** The images files of all models of these encodings, one per folder. */
+std::vector<fs::path> AllModels(const fs::path& folder, const std::vector<const char*>& extensions)
+{
+  std::vector<fs::path> models;
+  for (const fs::path& place : ModelPlaces(folder))
   {
     for (const char* extension : extensions)
     {
       if (HasModel(place, extension))
       {
-        return { place / (std::string("images") + extension) };
+        models.push_back(FileOfAnyCase(place / (std::string("images") + extension)));
+        break;
       }
     }
   }
-  return {};
+  return models;
+}
+
+/** The images file of the model with most images; of equals, the first. */
+std::vector<fs::path> FindModel(const fs::path& folder, const std::vector<const char*>& extensions)
+{
+  const std::vector<fs::path> models = AllModels(folder, extensions);
+  if (models.size() < 2)
+  {
+    return models;
+  }
+  const fs::path* best = nullptr;
+  std::size_t most = 0;
+  for (const fs::path& model : models)
+  {
+    const std::size_t count = ImageCount(model);
+    if (!best || count > most)
+    {
+      best = &model;
+      most = count;
+    }
+  }
+  return { *best };
+}
+
+/** Says which of several models is read. */
+void NoteOtherModels(
+  const fs::path& folder, const fs::path& place, std::size_t images, Calibration& calibration)
+{
+  std::vector<std::string> others;
+  for (const fs::path& model : AllModels(folder, { ".bin", ".txt" }))
+  {
+    std::error_code failure;
+    if (!fs::equivalent(model.parent_path(), place, failure))
+    {
+      others.push_back(model.parent_path().lexically_relative(folder).string() + " (" +
+        std::to_string(ImageCount(model)) + " images)");
+    }
+  }
+  if (!others.empty())
+  {
+    calibration.Notes.push_back({ "several-models",
+      "several COLMAP models: read " + place.lexically_relative(folder).string() + " (" +
+        std::to_string(images) + " images), not " + Joined(others) + "; --calibration chooses",
+      false });
+  }
 }
 
 Calibration ReadColmap(const fs::path& folder, const fs::path& calibration)
@@ -118,6 +200,7 @@ Calibration ReadColmap(const fs::path& folder, const fs::path& calibration)
     photograph.Where = image.Where + " (" + image.Name + ")";
     result.Photographs.push_back(photograph);
   }
+  NoteOtherModels(folder, place, images.size(), result);
   return result;
 }
 
@@ -205,14 +288,15 @@ DatasetFormat ColmapTextFormat()
 {
   DatasetFormat format = ColmapFormat();
   format.Name = "colmap";
-  format.LookedFor = "cameras and images .bin or .txt, also in sparse/0/";
+  format.LookedFor = "sparse/0/";
   format.Find = [](const fs::path& folder) { return FindModel(folder, { ".bin", ".txt" }); };
   format.Accepts = [](const fs::path& path)
   {
     std::error_code failure;
-    const std::string name = path.filename().string();
-    return fs::is_directory(path, failure) || name == "cameras.txt" || name == "images.txt" ||
-      name == "cameras.bin" || name == "images.bin";
+    const std::string name = LowerCase(path.filename().string());
+    // MVSNet's folder of cameras is a folder, too.
+    return (fs::is_directory(path, failure) && name != "cams") || name == "cameras.txt" ||
+      name == "images.txt" || name == "cameras.bin" || name == "images.bin";
   };
   format.Compose = [](const std::string&, const std::vector<Photograph>& photographs)
   { return InSparse(ComposeColmapText(ModelOf(photographs))); };
@@ -223,7 +307,7 @@ DatasetFormat ColmapBinaryFormat()
 {
   DatasetFormat format = ColmapFormat();
   format.Name = "colmap-binary";
-  format.LookedFor = "cameras.bin and images.bin, also in sparse/0/";
+  format.LookedFor = "cameras.bin and images.bin in sparse/0/";
   format.Find = [](const fs::path& folder) { return FindModel(folder, { ".bin" }); };
   format.Accepts = [](const fs::path&) { return false; }; // "colmap" accepts it
   format.Compose = [](const std::string&, const std::vector<Photograph>& photographs)

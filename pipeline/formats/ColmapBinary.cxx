@@ -4,6 +4,7 @@
 #include "base/ByteStream.h"
 #include "base/InputFile.h"
 #include "cameras/CameraLimits.h"
+#include "cameras/PhotographFiles.h"
 #include "core/Error.h"
 
 #include <bit>
@@ -145,7 +146,8 @@ std::vector<ColmapImage> ReadImageRecords(const fs::path& path)
 
 ColmapModel ReadColmapBinary(const fs::path& folder)
 {
-  return { ReadCameraRecords(folder / "cameras.bin"), ReadImageRecords(folder / "images.bin") };
+  return { ReadCameraRecords(FileOfAnyCase(folder / "cameras.bin")),
+    ReadImageRecords(FileOfAnyCase(folder / "images.bin")) };
 }
 
 std::vector<FileContent> ComposeColmapBinary(const ColmapModel& model)

@@ -3,6 +3,7 @@
 
 #include "base/InputFile.h"
 #include "base/NumberText.h"
+#include "cameras/PhotographFiles.h"
 #include "core/Error.h"
 
 #include <sstream>
@@ -20,7 +21,7 @@ class LineReader
 public:
   explicit LineReader(const fs::path& path)
     : Path(path)
-    , File(ReadInputFile(path))
+    , File(ReadInputText(path))
   {
   }
 
@@ -161,7 +162,8 @@ std::vector<ColmapImage> ReadImageLines(const fs::path& path)
 
 ColmapModel ReadColmapText(const fs::path& folder)
 {
-  return { ReadCameraLines(folder / "cameras.txt"), ReadImageLines(folder / "images.txt") };
+  return { ReadCameraLines(FileOfAnyCase(folder / "cameras.txt")),
+    ReadImageLines(FileOfAnyCase(folder / "images.txt")) };
 }
 
 std::vector<FileContent> ComposeColmapText(const ColmapModel& model)

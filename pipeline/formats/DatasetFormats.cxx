@@ -5,8 +5,11 @@
 #include "core/Error.h"
 #include "formats/BouguetCalibration.h"
 #include "formats/Colmap.h"
+#include "formats/ForeignCalibrations.h"
 #include "formats/Middlebury.h"
+#include "formats/MvsNet.h"
 #include "formats/NerfTransforms.h"
+#include "formats/NumpyCalibration.h"
 #include "formats/OpenCvCalibration.h"
 
 #include <algorithm>
@@ -18,7 +21,8 @@ namespace fs = std::filesystem;
 const std::vector<DatasetFormat>& DatasetFormats()
 {
   static const std::vector<DatasetFormat> formats{ MiddleburyFormat(), ColmapTextFormat(),
-    ColmapBinaryFormat(), NerfFormat(), OpenCvFormat(), BouguetFormat() };
+    ColmapBinaryFormat(), NerfFormat(), OpenCvFormat(), BouguetFormat(), NeusFormat(), LlffFormat(),
+    MvsNetFormat(), NumpyFormat() };
   return formats;
 }
 
@@ -28,6 +32,19 @@ std::vector<std::string> DatasetFormatNames()
   for (const DatasetFormat& format : DatasetFormats())
   {
     names.push_back(format.Name);
+  }
+  return names;
+}
+
+std::vector<std::string> WritableFormatNames()
+{
+  std::vector<std::string> names;
+  for (const DatasetFormat& format : DatasetFormats())
+  {
+    if (format.Compose)
+    {
+      names.push_back(format.Name);
+    }
   }
   return names;
 }
@@ -78,7 +95,9 @@ FoundCalibration ChooseCalibration(
         return { &each, calibration };
       }
     }
-    throw Error(calibration.string(), "is no calibration that can be told by its name");
+    const std::string foreign = ForeignFile(calibration);
+    throw Error(calibration.string(),
+      foreign.empty() ? "is no calibration that can be told by its name" : foreign);
   }
   const std::vector<FoundCalibration> found = CalibrationsIn(folder, format);
   if (found.size() == 1)
@@ -99,9 +118,11 @@ FoundCalibration ChooseCalibration(
   {
     names.push_back(each.File.lexically_relative(folder).string() + " (" + each.Format->Name + ")");
   }
+  const std::string foreign = found.empty() ? ForeignFilesIn(folder) : "";
   throw Error(folder.string(),
-    found.empty() ? "no calibration file"
+    found.empty() ? "no calibration file" + (foreign.empty() ? "" : "; " + foreign)
                   : "several calibration files, choose one by --calibration or --format",
-    found.empty() ? "none" : Joined(names), "one of " + Joined(known, ", or "));
+    found.empty() ? "none" : Joined(names),
+    foreign.empty() ? "one of " + Joined(known) : "a calibration of a format of --format");
 }
 }

@@ -18,6 +18,7 @@ struct Calibration
 {
   CameraConvention Convention;         ///< the one the cameras are stated in, complete
   std::vector<Photograph> Photographs; ///< File is set, Mask only where the calibration names one
+  std::vector<ReadingNote> Notes = {}; ///< what was ignored or guessed
 };
 
 /** A file to be written. */
@@ -55,7 +56,7 @@ struct DatasetFormat
    * The files of a calibration, to be written in this order: the last one is what makes the folder
    * a data set. Photographs have names, sizes and cameras in the project's convention; where Mask is
    * set it is a path in the data set's folder. `name` is for formats that leave the file's name to
-   * the writer. Throws Error when the format cannot hold a camera.
+   * the writer. Throws Error when the format cannot hold a camera. None where a format is only read.
    */
   std::function<std::vector<FileContent>(
     const std::string& name, const std::vector<Photograph>& photographs)>
@@ -67,6 +68,9 @@ const std::vector<DatasetFormat>& DatasetFormats();
 
 /** Their names. */
 std::vector<std::string> DatasetFormatNames();
+
+/** The names of those that can be written. */
+std::vector<std::string> WritableFormatNames();
 
 /** A format by its name; throws Error when there is none. */
 const DatasetFormat& FormatOf(const std::string& name);

@@ -65,7 +65,7 @@ std::size_t ParseCount(const std::vector<std::string>& words, const std::string&
 /** The lines of a calibration file as they are. */
 std::vector<Photograph> ReadLines(const fs::path& parFile)
 {
-  std::istringstream file(ReadInputFile(parFile));
+  std::istringstream file(ReadInputText(parFile));
   std::vector<Photograph> cameras;
   std::set<std::string> names;
   std::size_t count = 0;
@@ -202,8 +202,9 @@ DatasetFormat MiddleburyFormat()
   format.Accepts = [](const fs::path& file)
   {
     // Any name will do but those that COLMAP gives.
-    return file.extension() == ".txt" && file.filename() != "images.txt" &&
-      file.filename() != "cameras.txt";
+    return LowerCase(file.extension().string()) == ".txt" &&
+      LowerCase(file.filename().string()) != "images.txt" &&
+      LowerCase(file.filename().string()) != "cameras.txt";
   };
   format.Read = ReadMiddlebury;
   format.MaskFolder = "mask";

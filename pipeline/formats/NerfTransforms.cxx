@@ -146,7 +146,11 @@ void SetIntrinsics(const Frame& frame, const fs::path& file, Camera& camera)
   camera.Height = ExtentOf(frame.Number("h", 0), "\"h\"", frame.Where);
   if (camera.Width == 0 || camera.Height == 0)
   {
-    const PictureSize size = ReadPictureSize(file);
+    std::error_code failure;
+    const fs::path meant = fs::exists(file, failure)
+      ? fs::path()
+      : FileMeant(file.parent_path(), file.filename().string());
+    const PictureSize size = ReadPictureSize(meant.empty() ? file : meant);
     camera.Width = size.Width;
     camera.Height = size.Height;
   }
@@ -327,20 +331,22 @@ DatasetFormat NerfFormat()
 {
   DatasetFormat format;
   format.Name = "nerf";
-  format.LookedFor = "transforms.json or transforms_train.json";
+  format.LookedFor = "transforms.json";
   format.Find = [](const fs::path& folder)
   {
     std::error_code failure;
     for (const char* name : { "transforms.json", "transforms_train.json" })
     {
-      if (fs::is_regular_file(folder / name, failure))
+      const fs::path file = FileOfAnyCase(folder / name);
+      if (fs::is_regular_file(file, failure))
       {
-        return std::vector{ folder / name };
+        return std::vector{ file };
       }
     }
     return std::vector<fs::path>();
   };
-  format.Accepts = [](const fs::path& path) { return path.extension() == ".json"; };
+  format.Accepts = [](const fs::path& path)
+  { return LowerCase(path.extension().string()) == ".json"; };
   format.Read = ReadNerf;
   format.PhotoFolder = "images";
   format.MaskFolder = "masks";

@@ -235,7 +235,7 @@ bool HoldsCameraMatrix(const fs::path& path)
 
 bool IsStorage(const fs::path& path)
 {
-  const std::string extension = path.extension().string();
+  const std::string extension = LowerCase(path.extension().string());
   return extension == ".yml" || extension == ".yaml" || extension == ".xml";
 }
 
@@ -304,7 +304,7 @@ DatasetFormat OpenCvFormat()
 {
   DatasetFormat format;
   format.Name = "opencv";
-  format.LookedFor = "*.yml, *.yaml or *.xml with a camera_matrix";
+  format.LookedFor = "*.yml, *.yaml or *.xml";
   format.Find = FindOpenCv;
   format.Accepts = IsStorage;
   format.Read = ReadOpenCv;

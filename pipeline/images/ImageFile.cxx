@@ -6,6 +6,7 @@
 #include "base/InputFile.h"
 #include "base/StderrSilence.h"
 #include "core/Error.h"
+#include "images/DecodedPicture.h"
 #include "images/OpenCvPixels.h"
 
 #include <opencv2/core/utils/logger.hpp>
@@ -40,33 +41,6 @@ bool IsTruncatedJpeg(const std::string& bytes)
   return start == std::string::npos || bytes.find("\xff\xd9", start) == std::string::npos;
 }
 
-cv::Mat Decode(const fs::path& path, int flags)
-{
-  SilenceOpenCv();
-  std::string bytes = ReadInputFile(path);
-  constexpr std::size_t most = std::numeric_limits<int>::max(); // OpenCV counts in int
-  cv::Mat mat;
-  if (!bytes.empty() && bytes.size() <= most)
-  {
-    try
-    {
-      const StderrSilence silence;
-      mat = cv::imdecode(cv::Mat(1, static_cast<int>(bytes.size()), CV_8UC1, bytes.data()), flags);
-    }
-    catch (const cv::Exception&)
-    {
-      mat.release(); // the message would be about OpenCV's source code
-    }
-  }
-  if (mat.empty() || IsTruncatedJpeg(bytes))
-  {
-    throw Error(path.string(), "cannot be read as a picture",
-      bytes.empty() ? "an empty file" : std::to_string(bytes.size()) + " bytes",
-      "a whole PNG, JPEG, TIFF or other picture");
-  }
-  return mat;
-}
-
 void Encode(const fs::path& path, const cv::Mat& mat)
 {
   SilenceOpenCv();
@@ -93,14 +67,16 @@ void Encode(const fs::path& path, const cv::Mat& mat)
 
 /**
  * Whether a file can have an alpha channel, as far as that is quickly told: JPEG, BMP and the like
- * never have one, and a PNG's header says it.
+ * never have one, and a PNG's first chunks say it.
  */
 bool MayHaveAlpha(const fs::path& path)
 {
-  const std::string head = ReadInputStart(path, 26);
-  if (head.size() == 26 && head.compare(1, 5, "PNG\r\n") == 0)
+  constexpr std::size_t headBytes = 4096; // with the palette
+  const std::string head = ReadInputStart(path, headBytes);
+  if (head.size() >= 26 && head.compare(1, 5, "PNG\r\n") == 0)
   {
-    return head[25] & 4; // colour type: 4 = grey and alpha, 6 = colour and alpha
+    // Colour type: 4 = grey and alpha, 6 = colour and alpha; others have a chunk of transparency.
+    return (head[25] & 4) || head.find("tRNS") != std::string::npos;
   }
   const std::string extension = path.extension().string();
   return extension == ".tif" || extension == ".tiff" || extension == ".webp";
@@ -135,6 +111,50 @@ void SetPixelsOf(vtkImageData* image, const char* array, const ImageRef<const T>
 }
 }
 
+cv::Mat DecodePicture(const fs::path& path, int flags)
+{
+  SilenceOpenCv();
+  std::string bytes = ReadInputFile(path);
+  constexpr std::size_t most = std::numeric_limits<int>::max(); // OpenCV counts in int
+  cv::Mat mat;
+  if (!bytes.empty() && bytes.size() <= most)
+  {
+    try
+    {
+      const StderrSilence silence;
+      mat = cv::imdecode(cv::Mat(1, static_cast<int>(bytes.size()), CV_8UC1, bytes.data()), flags);
+    }
+    catch (const cv::Exception&)
+    {
+      mat.release(); // the message would be about OpenCV's source code
+    }
+  }
+  if (mat.empty() || IsTruncatedJpeg(bytes))
+  {
+    throw Error(path.string(), "cannot be read as a picture",
+      bytes.empty() ? "an empty file" : std::to_string(bytes.size()) + " bytes",
+      "a whole PNG, JPEG, TIFF or other picture");
+  }
+  return mat;
+}
+
+cv::Mat TurnedPicture(cv::Mat mat, int orientation)
+{
+  if (orientation >= 5)
+  {
+    cv::transpose(mat, mat);
+  }
+  const bool horizontally =
+    orientation == 2 || orientation == 3 || orientation == 6 || orientation == 7;
+  const bool vertically =
+    orientation == 3 || orientation == 4 || orientation == 7 || orientation == 8;
+  if (horizontally || vertically)
+  {
+    cv::flip(mat, mat, horizontally && vertically ? -1 : (horizontally ? 1 : 0));
+  }
+  return mat;
+}
+
 void SilenceOpenCv()
 {
   static std::once_flag once;
@@ -142,25 +162,19 @@ void SilenceOpenCv()
     once, [] { cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT); });
 }
 
-Image<std::uint8_t> ReadColorFile(const fs::path& path)
-{
-  cv::Mat mat = Decode(path, cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION);
-  cv::cvtColor(mat, mat, cv::COLOR_BGR2RGB);
-  return FromMat<std::uint8_t>(mat);
-}
-
 Image<std::uint8_t> ReadGreyFile(const fs::path& path)
 {
-  return FromMat<std::uint8_t>(Decode(path, cv::IMREAD_GRAYSCALE | cv::IMREAD_IGNORE_ORIENTATION));
+  return FromMat<std::uint8_t>(
+    DecodePicture(path, cv::IMREAD_GRAYSCALE | cv::IMREAD_IGNORE_ORIENTATION));
 }
 
-Image<std::uint8_t> ReadAlphaFile(const fs::path& path)
+Image<std::uint8_t> ReadAlphaFile(const fs::path& path, int orientation)
 {
   if (!MayHaveAlpha(path))
   {
     return {};
   }
-  const cv::Mat mat = Decode(path, cv::IMREAD_UNCHANGED);
+  const cv::Mat mat = DecodePicture(path, cv::IMREAD_UNCHANGED);
   if (mat.channels() != 4)
   {
     return {};
@@ -171,12 +185,13 @@ Image<std::uint8_t> ReadAlphaFile(const fs::path& path)
   alpha.convertTo(alpha, CV_8U, mat.depth() == CV_16U ? 1.0 / 257 : 1.0);
   double least = 0;
   cv::minMaxLoc(alpha, &least);
-  return least == 255 ? Image<std::uint8_t>() : FromMat<std::uint8_t>(alpha);
+  return least == 255 ? Image<std::uint8_t>()
+                      : FromMat<std::uint8_t>(TurnedPicture(alpha, orientation));
 }
 
 Image<float> ReadFloatFile(const fs::path& path)
 {
-  const cv::Mat mat = Decode(path, cv::IMREAD_UNCHANGED);
+  const cv::Mat mat = DecodePicture(path, cv::IMREAD_UNCHANGED);
   if (mat.type() != CV_32FC1)
   {
     throw Error(path.string(), "is no depth image", cv::typeToString(mat.type()),
@@ -221,7 +236,7 @@ PictureSize ReadPictureSize(const fs::path& path)
     { return byte(at) << 24 | byte(at + 1) << 16 | byte(at + 2) << 8 | byte(at + 3); };
     return { number(16), number(20) };
   }
-  const cv::Mat mat = Decode(path, cv::IMREAD_GRAYSCALE | cv::IMREAD_IGNORE_ORIENTATION);
+  const cv::Mat mat = DecodePicture(path, cv::IMREAD_GRAYSCALE | cv::IMREAD_IGNORE_ORIENTATION);
   return { mat.cols, mat.rows };
 }
 

@@ -25,17 +25,26 @@ namespace novelview
 /** OpenCV prints about files that it cannot read; here the Error says so. */
 void SilenceOpenCv();
 
-/** Three channels of 8 bits, RGB. The file's orientation tag is ignored: calibration refers to the
- * pixels as stored. */
-Image<std::uint8_t> ReadColorFile(const std::filesystem::path& path);
+/** How the colours of a file are read. */
+struct ColorReading
+{
+  int Orientation = 1; ///< the pixels, which are as stored, are turned by it, see ExifOrientation.h
+  double WhiteLevel = 0; ///< of files with more than 8 bits per value; 0 = as the file says
+};
+
+/**
+ * Three channels of 8 bits, RGB. White is 255 in files of 8 bits, 65535 in those of 16 (or what a
+ * PNG's count of significant bits says, if no value is above), 1 in those of floats, or 255 where
+ * values are above 2. `warnings` takes a sentence when the values do not look like that.
+ */
+Image<std::uint8_t> ReadColorFile(const std::filesystem::path& path,
+  const ColorReading& reading = {}, std::vector<std::string>* warnings = nullptr);
 
 /** One channel of 8 bits, e.g. a mask. */
 Image<std::uint8_t> ReadGreyFile(const std::filesystem::path& path);
 
-/**
- * The alpha channel, 8 bits; empty when the file has none or all of it is opaque.
- */
-Image<std::uint8_t> ReadAlphaFile(const std::filesystem::path& path);
+/** The alpha channel, 8 bits, turned likewise; empty when the file has none or all of it is opaque. */
+Image<std::uint8_t> ReadAlphaFile(const std::filesystem::path& path, int orientation = 1);
 
 /** One channel of floats, e.g. a depth image in world units, from a 32-bit float TIFF. */
 Image<float> ReadFloatFile(const std::filesystem::path& path);

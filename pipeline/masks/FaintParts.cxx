@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "masks/FaintParts.h"
 
+#include "core/Quantile.h"
+
 #include <opencv2/imgproc.hpp>
 
+#include <algorithm>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -39,6 +43,56 @@ std::pair<double, double> ClippedNoise(const cv::Mat& values, const cv::Mat& whe
   return { mean[0], deviation[0] };
 }
 
+cv::Mat Grown(const cv::Mat& mask, int radiusPx)
+{
+  cv::Mat grown;
+  cv::dilate(mask, grown,
+    cv::getStructuringElement(cv::MORPH_ELLIPSE, cv::Size(2 * radiusPx + 1, 2 * radiusPx + 1)));
+  return grown;
+}
+
+/** Largest of the channels. */
+cv::Mat LargestChannel(const cv::Mat& values)
+{
+  std::vector<cv::Mat> channels;
+  cv::split(values, channels);
+  return cv::max(cv::max(channels[0], channels[1]), channels[2]);
+}
+
+/** Upper quartile of what a blur of 1 px takes away. */
+double FineDetail(const cv::Mat& detail, const cv::Mat& where)
+{
+  std::vector<double> values;
+  for (int y = 0; y < detail.rows; ++y)
+  {
+    for (int x = 0; x < detail.cols; ++x)
+    {
+      if (where.at<std::uint8_t>(y, x))
+      {
+        values.push_back(detail.at<float>(y, x));
+      }
+    }
+  }
+  return Quantile(std::move(values), 0.75);
+}
+
+/**
+ * By how much the photograph is noisier next to the object than along the border: lossy compression
+ * spoils the blocks that hold an edge, and leaves a plain background as it is. 0 = no such noise.
+ */
+double CompressionNoise(
+  const cv::Mat& photo, const cv::Mat& mask, const cv::Mat& outside, const cv::Mat& ground)
+{
+  constexpr int blockPx = 8; // of JPEG; every block that an edge touches is noisy
+  cv::Mat colour;
+  cv::Mat blurred;
+  photo.convertTo(colour, CV_32F);
+  cv::GaussianBlur(colour, blurred, cv::Size(), 1);
+  const cv::Mat detail = LargestChannel(cv::abs(colour - blurred));
+  const cv::Mat beside = Grown(mask > 127, blockPx) & outside;
+  return std::max(0.0, FineDetail(detail, beside) - FineDetail(detail, ground));
+}
+
 int PixelsAtFrame(const cv::Mat& mask)
 {
   return cv::countNonZero(mask.row(0)) + cv::countNonZero(mask.row(mask.rows - 1)) +
@@ -51,9 +105,11 @@ void AddFaintParts(cv::Mat& mask, const cv::Mat& photo, const cv::Mat& border)
   constexpr double smoothingPx = 2;
   constexpr int blurPx = 3;        // how far the light of the object may reach by blur
   constexpr double minArea = 0.01; // of the object; smaller regions are reflections
-  cv::Mat near;
-  cv::dilate(mask, near,
-    cv::getStructuringElement(cv::MORPH_ELLIPSE, cv::Size(2 * blurPx + 1, 2 * blurPx + 1)));
+  constexpr int compressedPx = 16; // JPEG's blocks of halved colours
+  // Smoothing leaves at most so much of the compression's noise: its largest was six times, over
+  // qualities from 75 up and five objects.
+  constexpr double smoothedCompression = 8;
+  const cv::Mat near = Grown(mask, blurPx);
   const cv::Mat outside = near == 0;
   const cv::Mat ground = outside & border;
   const double objectArea = cv::countNonZero(mask > 127);
@@ -63,15 +119,17 @@ void AddFaintParts(cv::Mat& mask, const cv::Mat& photo, const cv::Mat& border)
   }
   const cv::Mat smooth = SmoothOutside(photo, outside, smoothingPx);
   const cv::Mat background(photo.size(), CV_32FC3, cv::mean(smooth, ground));
-  std::vector<cv::Mat> channels;
-  cv::split(cv::abs(smooth - background), channels);
-  const cv::Mat difference = cv::max(cv::max(channels[0], channels[1]), channels[2]);
+  const cv::Mat difference = LargestChannel(cv::abs(smooth - background));
   const auto [noise, deviation] = ClippedNoise(difference, ground);
   cv::Mat labels;
   cv::Mat stats;
   cv::Mat centroids;
   // Six deviations of the smoothed noise, and half a level that rounding may hide.
-  const cv::Mat faint = outside & (difference > noise + 6 * deviation + 0.5);
+  const double least = noise + 6 * deviation + 0.5;
+  cv::Mat limit(photo.size(), CV_32F, cv::Scalar(least));
+  limit.setTo(least + smoothedCompression * CompressionNoise(photo, mask, outside, ground),
+    Grown(mask > 127, compressedPx));
+  const cv::Mat faint = outside & (difference > limit);
   const int count = cv::connectedComponentsWithStats(faint, labels, stats, centroids, 4);
   cv::Mat touching;
   cv::dilate(near, touching, cv::Mat());

@@ -104,7 +104,8 @@ public:
   PathReader(const TrajectoryOptions& options, const DatasetIndex& dataset)
     : Options(options)
     , Dataset(dataset)
-    , Usual(CameraOf("0", dataset))
+    , First(SizedCamera(dataset.Cameras.front()))
+    , Usual(this->First)
     , File(options.Path.string())
     , Whole(ReadJsonObject(options.Path))
   {
@@ -247,7 +248,10 @@ private:
     {
       throw UsageError(where, "has the wrong type", name.type_name(), "a name or a number from 0");
     }
-    return CameraOf(name.is_string() ? name.get<std::string>() : DumpJson(name), this->Dataset);
+    Photograph named;
+    named.Name = name.is_string() ? name.get<std::string>() : DumpJson(name);
+    named.Cam = CameraOf(named.Name, this->Dataset);
+    return InFrame(named, this->First.Width, this->First.Height, "the first photograph");
   }
 
   Camera PosedKey(const Json& key, const std::string& where) const
@@ -301,7 +305,8 @@ private:
 
   const TrajectoryOptions& Options;
   const DatasetIndex& Dataset;
-  Camera Usual; ///< the first photograph's, for what a key does not say
+  const Camera First; ///< the first photograph's
+  Camera Usual;       ///< the first photograph's, for what a key does not say
   const std::string File;
   Json Whole;
   Vector3d Up;
@@ -315,10 +320,13 @@ std::vector<Camera> CamerasOfFrames(const TrajectoryOptions& options, const Data
   {
     return PathReader(options, dataset).Cameras();
   }
+  const std::vector<Photograph> photographs = WithoutExcluded(dataset, exclude);
+  const Photograph& front = photographs.front();
+  const Camera first = SizedCamera(front);
   std::vector<Camera> cameras;
-  for (const Photograph& photograph : WithoutExcluded(dataset, exclude))
+  for (const Photograph& photograph : photographs)
   {
-    cameras.push_back(photograph.Cam);
+    cameras.push_back(InFrame(photograph, first.Width, first.Height, front.Name));
   }
   CameraRing ring;
   try
@@ -330,9 +338,6 @@ std::vector<Camera> CamerasOfFrames(const TrajectoryOptions& options, const Data
     throw UsageError(dataset.Calibration.string(),
       std::string(error.what()) + "; --path says where the camera shall go");
   }
-  const Camera first = CameraOf("0", dataset);
-  ring.Width = first.Width;
-  ring.Height = first.Height;
   const int count = options.Frames > 0 ? options.Frames : UsualFrames;
   std::vector<Camera> frames;
   for (int frame = 0; frame < count; ++frame)

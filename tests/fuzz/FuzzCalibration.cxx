@@ -25,6 +25,10 @@ const std::vector<Layout>& Layouts()
     { "opencv", { "cameras.yml" } },
     { "opencv", { "cameras.xml" } },
     { "bouguet", { "Calib_Results.m" } },
+    { "neus", { "cameras_sphere.npz" } },
+    { "llff", { "poses_bounds.npy" } },
+    { "mvsnet", { "cams/a_cam.txt", "cams/b_cam.txt", "cams/c_cam.txt" } },
+    { "numpy", { "a.npz" } },
   };
   return layouts;
 }

@@ -131,6 +131,8 @@ void WriteCalibration(const fs::path& folder, const std::string& format, char nu
 void WriteCalibrations(const fs::path& folder)
 {
   WriteCalibration(folder, "middlebury", 0, false);
+  WriteCalibration(folder, "neus", 7, false);
+  WriteCalibration(folder, "mvsnet", 9, false);
   for (const bool withLens : { false, true })
   {
     WriteCalibration(folder, "colmap", 1, withLens);

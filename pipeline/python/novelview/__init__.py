@@ -19,8 +19,12 @@ What fails in the functions here raises novelview.Error with one line of text; w
 know of the data is a Python warning. Filters used directly tell by ErrorEvent and WarningEvent.
 """
 
-from .vtkNovelViewFilters import *
-from .vtkNovelViewSynthesis import *
+try:
+    from .vtkNovelViewFilters import *
+    from .vtkNovelViewSynthesis import *
+except ModuleNotFoundError as missing:
+    raise ImportError("novelview is not built here: app/setup.sh builds it, app/demo.sh only the "
+                      f"program ({missing})") from missing
 
 from ._blocks import names
 from ._reporting import Error

@@ -347,8 +347,9 @@ TEST_F(DatasetCheck, MissingMasksAreNamed)
   // A mask that is there under a name that no reader looks for.
   WriteImageFile(this->Folder / "mask/p1-object.png", std::as_const(CleanPhotos()[1].Mask).Ref());
   report = this->CheckWith();
-  ASSERT_THAT(Kinds(report), ElementsAre("mask-missing p1.png", "mask-missing p8.png"));
-  EXPECT_THAT(report.Findings[0].Text, HasSubstr("belong to no photograph: mask/p1-object.png"));
+  ASSERT_THAT(
+    Kinds(report), ElementsAre("mask-unused", "mask-missing p1.png", "mask-missing p8.png"));
+  EXPECT_THAT(report.Findings[0].Text, HasSubstr("by their names: mask/p1-object.png"));
 }
 
 TEST_F(DatasetCheck, WithoutAnyMaskThatIsANote)

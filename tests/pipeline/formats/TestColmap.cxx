@@ -163,6 +163,40 @@ TEST(Colmap, AnotherModelIsChosenByItsFolderOrFile)
   ExpectTheModel(ReadDatasetIndex(folder.Path, { folder / "sparse/1/images.bin" }));
 }
 
+TEST(Colmap, OfSeveralModelsTheOneWithMostImagesIsReadAndSaid)
+{
+  const TemporaryFolder folder;
+  WriteFile(folder / "sparse/0/cameras.txt", "1 PINHOLE 2 2 1 1 1 1\n");
+  WriteFile(folder / "sparse/0/images.txt", "1 1 0 0 0 0 0 1 1 other.png\n");
+  WriteFile(folder / "sparse/1/cameras.bin", CamerasBinary());
+  WriteFile(folder / "sparse/1/images.bin", ImagesBinary());
+  // What newer versions write beside them says nothing about the cameras that these do not.
+  WriteFile(folder / "sparse/1/rigs.bin", "rigs");
+  WriteFile(folder / "sparse/1/frames.bin", "frames");
+  const DatasetIndex index = ReadDatasetIndex(folder.Path);
+  ExpectTheModel(index);
+  ASSERT_EQ(index.Notes.size(), 1u);
+  EXPECT_EQ(index.Notes[0].Text,
+    "several COLMAP models: read sparse/1 (2 images), not sparse/0 (1 images); --calibration "
+    "chooses");
+}
+
+TEST(Colmap, PhotographsWithoutACameraAreCounted)
+{
+  const TemporaryFolder folder;
+  WriteFile(folder / "sparse/0/cameras.txt", "1 PINHOLE 2 2 1 1 1 1\n");
+  WriteFile(folder / "sparse/0/images.txt", "1 1 0 0 0 0 0 1 1 a.png\n");
+  for (const char* name : { "images/a.png", "images/b.png", "images/c.png", "images/a_mask.png" })
+  {
+    WriteFile(folder / name, "");
+  }
+  const DatasetIndex index = ReadDatasetIndex(folder.Path);
+  ASSERT_EQ(index.Notes.size(), 1u);
+  EXPECT_EQ(index.Notes[0].Text,
+    "the calibration has no camera for 2 pictures beside its photographs: images/b.png, "
+    "images/c.png");
+}
+
 TEST(Colmap, PhotographsAndMasksAreFoundInSubfolders)
 {
   const TemporaryFolder folder;

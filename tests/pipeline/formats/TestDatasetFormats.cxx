@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ViewAccess.h"
+#include "cameras/MaskFiles.h"
 #include "support/CalibrationCases.h"
 
 #include <opencv2/imgcodecs.hpp>
@@ -215,9 +216,11 @@ TEST(DatasetFormats, SeveralFoundAreNamedAndOneCanBeChosen)
 
 TEST(PhotographFiles, MasksAreFoundByEveryUsualName)
 {
-  for (const char* name :
-    { "mask/sub/a.jpg", "mask/sub/a.png", "masks/sub/a.jpg.png", "silhouettes/sub/a_mask.png",
-      "masks/sub/a.mask.png", "sub/a.jpg.png", "sub/a_mask.png", "sub/a.mask.png" })
+  for (const char* name : { "mask/sub/a.jpg", "mask/sub/a.png", "masks/sub/a.jpg.png",
+         "silhouettes/sub/a_mask.png", "masks/sub/a.mask.png", "sub/a.jpg.png", "sub/a_mask.png",
+         "sub/a.mask.png", "mask/sub/a.PNG", "masks/sub/a.tif", "mask/sub/a.pgm", "masks/sub/a.bmp",
+         "Masks/sub/a.png", "sub/a.jpg.mask.png", "sub/a.jpg_mask.png", "segmentation/sub/a.png",
+         "mask/images/sub/a.png", "silhouettes/sub/A.png" })
   {
     const TemporaryFolder folder;
     WriteFile(folder / "sub/a.jpg", "");
@@ -227,6 +230,59 @@ TEST(PhotographFiles, MasksAreFoundByEveryUsualName)
     EXPECT_EQ(MaskFileOf(folder.Path, "sub/a.jpg"), folder / name);
     EXPECT_EQ(MaskFileOf(folder.Path, "sub/b.jpg"), "");
   }
+}
+
+TEST(PhotographFiles, PathsOfOtherComputersLeadToTheFilesThatAreMeant)
+{
+  const TemporaryFolder folder;
+  WriteFile(folder / "images/sub/a.png", "");
+  WriteFile(folder / "b.PNG", "");
+  WriteFile(folder / "c.png", "");
+  WriteFile(folder / "C.png", "");
+  EXPECT_EQ(FileMeant(folder.Path, "images\\sub\\a.png"), folder / "images/sub/a.png");
+  EXPECT_EQ(
+    FileMeant(folder.Path, "C:\\Users\\x\\images\\sub\\a.png"), folder / "images/sub/a.png");
+  EXPECT_EQ(FileMeant(folder.Path, "/home/x/data/b.png"), folder / "b.PNG");
+  EXPECT_EQ(FileMeant(folder.Path, "../b.png"), folder / "b.PNG");
+  EXPECT_EQ(FileMeant(folder.Path, "c.PNG"), "") << "two files fit";
+  EXPECT_EQ(FileMeant(folder.Path, "other/b.png"), "") << "another folder's photograph";
+}
+
+TEST(DatasetFormats, ByteOrderMarksBackslashesAndCaseOfLettersAreSeenThrough)
+{
+  const TemporaryFolder folder;
+  WriteFile(folder / "Sparse/0/Cameras.txt",
+    "\xef\xbb\xbf"
+    "1 PINHOLE 2 2 1 1 1 1\n");
+  WriteFile(folder / "Sparse/0/Images.txt",
+    "\xef\xbb\xbf"
+    "1 1 0 0 0 0 0 1 1 sub\\a.png\n\n");
+  WriteFile(folder / "images/sub/a.PNG", "");
+  DatasetIndex index = ReadDatasetIndex(folder.Path, { folder / "Sparse/0/Cameras.txt" });
+  ASSERT_EQ(index.Cameras.size(), 1u);
+  EXPECT_EQ(index.Cameras[0].File, folder / "images/sub/a.PNG");
+  ASSERT_EQ(index.Notes.size(), 1u);
+  EXPECT_THAT(index.Notes[0].Text, HasSubstr("1 files have other names than in the calibration"));
+  std::filesystem::rename(folder / "Sparse", folder / "sparse");
+  EXPECT_EQ(ReadDatasetIndex(folder.Path).Cameras.size(), 1u);
+  WriteFile(folder / "sparse/0/Images.txt",
+    "\xff\xfe"
+    "1");
+  ExpectError([&] { ReadDatasetIndex(folder.Path); }, "Images.txt", "got UTF-16", "UTF-8");
+}
+
+TEST(PhotographFiles, MasksThatAreNotUsedAreToldOf)
+{
+  const TemporaryFolder folder;
+  for (const char* name : { "mask/a.png", "mask/stray.png", "object_masks/a.png", "mask/notes.txt",
+         "mask/contact-sheet.png" })
+  {
+    WriteFile(folder / name, "");
+  }
+  MaskFiles masks(folder.Path);
+  EXPECT_EQ(masks.Of("a.jpg"), folder / "mask/a.png");
+  EXPECT_THAT(masks.Unused(), ElementsAre(folder / "mask/stray.png"));
+  EXPECT_THAT(masks.UnreadFolders(), ElementsAre(folder / "object_masks"));
 }
 
 TEST(PhotographFiles, AreListedInNaturalOrderWithoutMasks)

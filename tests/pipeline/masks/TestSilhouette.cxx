@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/AtomicFile.h"
 #include "core/Error.h"
 #include "dataset/Dataset.h"
 #include "images/ImageFile.h"
 #include "masks/Coverage.h"
 #include "masks/Silhouette.h"
 #include "silhouettes/ContourDistance.h"
+#include "support/TemporaryFolder.h"
 #include "support/TestSupport.h"
 
 #include <array>
@@ -188,6 +190,48 @@ TEST(Silhouette, FillsSpecksButKeepsRealHoles)
   EXPECT_LT(mask(80, 60), 128) << "the hole of the ring";
   EXPECT_LT(mask(20, 20), 128) << "the crumb beside it";
   EXPECT_GT(IouOf(mask, photo.Truth), 0.97); // half the rim
+}
+
+namespace
+{
+/** The mask's picture before a background of one grey, as JPEG of this quality, and read again. */
+Image<std::uint8_t> CutOutAsJpeg(const Photo& photo, std::uint8_t background, int quality)
+{
+  Image<std::uint8_t> cut = photo.Rgb;
+  for (std::size_t i = 0; i < photo.Truth.Values.size(); ++i)
+  {
+    if (photo.Truth.Values[i] == 0)
+    {
+      std::fill_n(cut.Values.begin() + static_cast<std::ptrdiff_t>(3 * i), 3, background);
+    }
+  }
+  const TemporaryFolder folder;
+  const std::vector<std::uint8_t> jpeg = EncodeJpeg(cut.Ref(), quality, "cut-out");
+  WriteTextAtomically(
+    folder / "a.jpg", { reinterpret_cast<const char*>(jpeg.data()), jpeg.size() });
+  return ReadColorFile(folder / "a.jpg");
+}
+}
+
+TEST(Silhouette, RingingOfAJpegAroundACutOutIsNoObject)
+{
+  // Lossless, the border is exactly of one colour: no noise to be seen there.
+  const Photo photo = Take(
+    [](double x, double y)
+    {
+      const double light = 0.75 + 0.25 * std::sin(0.9 * x + 0.3 * y);
+      return Seen{ { 210 * light, 150 * light, 90 * light }, std::hypot(x - 80, y - 60) < 40 };
+    });
+  for (const int background : { 0, 20, 40, 255 })
+  {
+    for (const int quality : { 75, 80, 85, 90, 95 })
+    {
+      const auto jpeg = CutOutAsJpeg(photo, static_cast<std::uint8_t>(background), quality);
+      // 1.5 % are a third of a pixel along the circumference.
+      EXPECT_GT(IouOf(ExtractSilhouette(jpeg.Ref()), photo.Truth), 0.985)
+        << "background " << background << ", quality " << quality;
+    }
+  }
 }
 
 TEST(Silhouette, NothingInThePictureIsAnError)
