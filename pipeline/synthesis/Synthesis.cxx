@@ -375,7 +375,7 @@ private:
     {
       this->Warn("visual hull: " + std::to_string(dropped) + " smaller component(s) with " +
         std::to_string(this->Filters.HullSource->GetNumberOfDroppedSamples()) +
-        " samples left out; all are kept with the option for it");
+        " samples left out; --hull-keep-all keeps them");
     }
   }
 

@@ -160,6 +160,17 @@ TEST(ViewAccess, NumbersOfTheWholeComeBackOrTheirDefault)
   EXPECT_EQ(AttachedNumber(nullptr, arrays::DepthNoise, 7), 7);
 }
 
+TEST(ViewAccess, TablesComeBackRowByRow)
+{
+  vtkNew<vtkMultiBlockDataSet> views;
+  EXPECT_TRUE(AttachedTable(views, "Table", 2).empty());
+  AttachTable(views, "Table", { 1, 2, 3, 4, 5, 6 }, 2);
+  EXPECT_EQ(views->GetFieldData()->GetArray("Table")->GetNumberOfTuples(), 3);
+  EXPECT_EQ(AttachedTable(views, "Table", 2), (std::vector<double>{ 1, 2, 3, 4, 5, 6 }));
+  ExpectError(
+    [&] { AttachedTable(views, "Table", 3); }, "Table has the wrong number of columns", "2", "3");
+}
+
 TEST(ViewAccess, TooFewViewsAndBlocksThatAreNoImages)
 {
   const auto views = ToBlocks(TwoPhotos());

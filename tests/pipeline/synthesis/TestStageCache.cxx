@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/CacheScene.h"
+#include "support/CalibrationScene.h"
 #include "support/ChangedOption.h"
 #include "support/Stop.h"
 
@@ -257,4 +258,18 @@ TEST_F(StageCacheTest, AStopDoesNotLoseWhatIsMade)
     EXPECT_EQ(warning.find("interrupted"), std::string::npos) << warning;
   }
   EXPECT_FALSE(Synthesise(this->Options, this->Views).Stages.count("depth maps"));
+}
+
+TEST_F(StageCacheTest, RefinedCamerasAreKeptAndSaidAgain)
+{
+  // The caller's views are given up meanwhile: the cache has to hold what it compares with.
+  support::CalibrationScene scene(support::Waves(0.06));
+  scene.Disturb(0.75);
+  const Outcome first = Synthesise(this->Options, support::ToBlocks(scene.Photos));
+  const Outcome second = Synthesise(this->Options, support::ToBlocks(scene.Photos));
+  EXPECT_THAT(first.Warnings, testing::Contains(testing::HasSubstr("cameras refined")));
+  EXPECT_TRUE(first.Stages.count("cameras"));
+  EXPECT_FALSE(second.Stages.count("depth maps"));
+  EXPECT_EQ(second.Warnings, first.Warnings);
+  EXPECT_EQ(second.Color, first.Color);
 }
