@@ -259,6 +259,28 @@ std::vector<double> AttachedTable(vtkDataObject* to, const char* name, int colum
   return values;
 }
 
+void AttachSupport(vtkDataObject* views, const std::vector<SupportPoint>& points)
+{
+  std::vector<double> table;
+  for (const SupportPoint& point : points)
+  {
+    table.insert(table.end(), point.Position.data(), point.Position.data() + 3);
+    table.push_back(point.InsidePx);
+  }
+  AttachTable(views, arrays::SilhouetteSupport, table, 4);
+}
+
+std::vector<SupportPoint> AttachedSupport(vtkDataObject* views)
+{
+  const std::vector<double> table = AttachedTable(views, arrays::SilhouetteSupport, 4);
+  std::vector<SupportPoint> points;
+  for (std::size_t i = 0; i < table.size(); i += 4)
+  {
+    points.push_back({ { table[i], table[i + 1], table[i + 2] }, table[i + 3] });
+  }
+  return points;
+}
+
 void AttachNumber(vtkDataObject* to, const char* name, double value)
 {
   AttachTable(to, name, { value }, 1);

@@ -29,6 +29,7 @@
 #define novelview_ViewAccess_h
 
 #include "ArrayNames.h"
+#include "fusion/SilhouetteSupport.h"
 #include "geometry/TriangleMesh.h"
 #include "geometry/View.h"
 #include "vtkNovelViewFiltersModule.h"
@@ -85,6 +86,11 @@ VTKNOVELVIEWFILTERS_EXPORT void AttachTable(
 /** Throws when the table has another number of columns. */
 VTKNOVELVIEWFILTERS_EXPORT std::vector<double> AttachedTable(
   vtkDataObject* to, const char* name, int columns);
+
+/** The points of FindSilhouetteSupport() in the field data of all views. */
+VTKNOVELVIEWFILTERS_EXPORT void AttachSupport(
+  vtkDataObject* views, const std::vector<SupportPoint>& points);
+VTKNOVELVIEWFILTERS_EXPORT std::vector<SupportPoint> AttachedSupport(vtkDataObject* views);
 
 /** Appends a block. */
 VTKNOVELVIEWFILTERS_EXPORT void AppendView(

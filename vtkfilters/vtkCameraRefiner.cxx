@@ -4,7 +4,6 @@
 #include "FilterSupport.h"
 #include "calibration/CameraRefinement.h"
 
-#include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
@@ -53,16 +52,11 @@ int vtkCameraRefiner::RequestData(
       vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputs);
       for (unsigned int viewId = 0; viewId < views.size(); ++viewId)
       {
-        vtkImageData* given = novelview::ViewImage(input, viewId);
         vtkNew<vtkImageData> image;
-        image->ShallowCopy(given);
-        vtkNew<vtkFieldData> field; // the given view's stays as it is
-        field->ShallowCopy(given->GetFieldData());
-        image->SetFieldData(field);
+        image->ShallowCopy(novelview::ViewImage(input, viewId));
         novelview::AttachNumber(image, novelview::arrays::CameraShift, refinement.ShiftsPx[viewId]);
-        novelview::AppendView(output, novelview::ViewName(input, viewId), image,
-          refinement.Accepted ? refinement.Cameras[viewId]
-                              : novelview::AttachedCamera(given, views[viewId].Name));
+        novelview::AppendView(
+          output, novelview::ViewName(input, viewId), image, refinement.Cameras[viewId]);
       }
     });
 }

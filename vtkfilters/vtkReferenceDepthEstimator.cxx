@@ -35,17 +35,6 @@ int vtkReferenceDepthEstimator::FillInputPortInformation(int port, vtkInformatio
 
 namespace
 {
-void AttachSupport(vtkMultiBlockDataSet* output, const std::vector<novelview::SupportPoint>& points)
-{
-  std::vector<double> table;
-  for (const novelview::SupportPoint& point : points)
-  {
-    table.insert(table.end(), point.Position.data(), point.Position.data() + 3);
-    table.push_back(point.InsidePx);
-  }
-  novelview::AttachTable(output, novelview::arrays::SilhouetteSupport, table, 4);
-}
-
 /** What the maps tell about each other: noise, prior of the outline, exposures. */
 void AttachComparisons(vtkMultiBlockDataSet* output, const novelview::TriangleMesh& hull,
   const novelview::Execution& execution)
@@ -63,7 +52,7 @@ void AttachComparisons(vtkMultiBlockDataSet* output, const novelview::TriangleMe
   novelview::FusionOptions outline = prior.Fusion;
   outline.SilhouettePrior = novelview::FindSilhouettePrior(views, hull, prior, execution);
   novelview::AttachNumber(output, novelview::arrays::SilhouettePrior, outline.SilhouettePrior);
-  AttachSupport(output,
+  novelview::AttachSupport(output,
     novelview::FindSilhouetteSupport(
       views, novelview::TsdfField(views, outline, footprint), hull, footprint, {}, execution));
   const std::vector<double> gains = novelview::ExposureGains(views, footprint, execution);

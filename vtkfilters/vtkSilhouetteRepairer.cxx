@@ -5,7 +5,6 @@
 #include "silhouettes/ContourDistance.h"
 #include "silhouettes/SilhouetteRepair.h"
 
-#include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
@@ -69,9 +68,6 @@ int vtkSilhouetteRepairer::RequestData(
       {
         vtkNew<vtkImageData> image;
         image->ShallowCopy(novelview::ViewImage(input, viewId));
-        vtkNew<vtkFieldData> field; // the given view's stays as it is
-        field->ShallowCopy(image->GetFieldData());
-        image->SetFieldData(field);
         const int added =
           parts[viewId].Values.empty() ? 0 : Add(parts[viewId], views[viewId], image);
         this->Repaired = this->Repaired || added > 0;

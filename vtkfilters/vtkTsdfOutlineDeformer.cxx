@@ -17,13 +17,7 @@ void vtkTsdfOutlineDeformer::Deform(const Work& work)
     ? this->SilhouettePrior
     : novelview::AttachedNumber(
         work.ViewData, novelview::arrays::SilhouettePrior, options.Outline.SilhouettePrior);
-  const std::vector<double> support =
-    novelview::AttachedTable(work.ViewData, novelview::arrays::SilhouetteSupport, 4);
-  for (std::size_t i = 0; i + 4 <= support.size(); i += 4)
-  {
-    options.Silhouette.Support.push_back(
-      { { support[i], support[i + 1], support[i + 2] }, support[i + 3] });
-  }
+  options.Silhouette.Support = novelview::AttachedSupport(work.ViewData);
   options.Silhouette.UsePrediction = this->UseContourPrediction;
   novelview::DeformOutlineByField(
     work.Mesh, work.Visible, work.Views, work.Camera, options, work.Listener, work.Execution);

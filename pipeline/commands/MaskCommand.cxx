@@ -4,6 +4,7 @@
 #include "base/InputFile.h"
 #include "base/Parallel.h"
 #include "base/UsageError.h"
+#include "cameras/MaskFiles.h"
 #include "cameras/PhotographFiles.h"
 #include "commands/CommandSupport.h"
 #include "core/Error.h"
@@ -45,6 +46,7 @@ std::vector<Photograph> PhotographsOf(const MaskOptions& options, Console& conso
     WarnOf(index, console);
     return WithoutExcluded(index, options.Exclude);
   }
+  MaskFiles masks(options.Dataset);
   for (const fs::path& folder : { options.Dataset, options.Dataset / "images" })
   {
     for (const std::string& name : PhotographsIn(folder))
@@ -52,7 +54,7 @@ std::vector<Photograph> PhotographsOf(const MaskOptions& options, Console& conso
       Photograph photograph;
       photograph.Name = name;
       photograph.File = folder / name;
-      photograph.Mask = MaskFileOf(options.Dataset, name);
+      photograph.Mask = masks.Of(name);
       index.Cameras.push_back(photograph);
     }
     if (!index.Cameras.empty())

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <sstream>
 
 namespace novelview
@@ -50,27 +51,26 @@ std::array<double, Count> NumbersBehind(
   return numbers;
 }
 
-/** The photograph of this stem; its would-be path when there is none. */
-fs::path PhotographOf(const fs::path& folder, const std::string& stem)
+/** The photographs of the folders they may lie in, by stem; of several the first. */
+std::map<fs::path, fs::path> PhotographsByStem(const fs::path& folder)
 {
+  std::map<fs::path, fs::path> photographs;
   for (const char* place : { "images", "blended_images", "" })
   {
     const fs::path in = *place ? folder / place : folder;
     for (const std::string& name : PhotographsIn(in))
     {
-      if (fs::path(name).stem() == stem)
-      {
-        return in / name;
-      }
+      photographs.emplace(fs::path(name).stem(), in / name);
     }
   }
-  return folder / "images" / (stem + ".jpg");
+  return photographs;
 }
 
 Calibration ReadMvsNet(const fs::path& folder, const fs::path& cameras)
 {
   Calibration calibration;
   calibration.Convention = ProjectConvention();
+  const std::map<fs::path, fs::path> photographs = PhotographsByStem(folder);
   for (const fs::path& file : CameraFiles(cameras))
   {
     const std::string text = ReadInputText(file);
@@ -79,7 +79,9 @@ Calibration ReadMvsNet(const fs::path& folder, const fs::path& cameras)
     std::string stem = file.filename().string();
     stem.resize(stem.size() - std::string(Ending).size());
     Photograph photograph;
-    photograph.File = PhotographOf(folder, stem);
+    const auto found = photographs.find(stem);
+    photograph.File =
+      found == photographs.end() ? folder / "images" / (stem + ".jpg") : found->second;
     photograph.Name = photograph.File.filename().string();
     photograph.Where = file.string();
     photograph.Cam.K = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(K.data());

@@ -78,13 +78,10 @@ vtkSmartPointer<vtkImageData> Completed(vtkImageData* given, vtkImageData* parts
   {
     image->GetPointData()->AddArray(parts->GetPointData()->GetArray(i));
   }
-  vtkNew<vtkFieldData> field; // the given view's stays as it is
-  field->ShallowCopy(given->GetFieldData());
   for (int i = 0; i < parts->GetFieldData()->GetNumberOfArrays(); ++i)
   {
-    field->AddArray(parts->GetFieldData()->GetAbstractArray(i));
+    image->GetFieldData()->AddArray(parts->GetFieldData()->GetAbstractArray(i));
   }
-  image->SetFieldData(field);
   return image;
 }
 

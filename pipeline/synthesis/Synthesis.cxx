@@ -173,6 +173,7 @@ private:
       return;
     }
     this->RunScene();
+    this->WarnOfHull();
     if (!this->Cache || this->Stored)
     {
       return;
@@ -269,21 +270,14 @@ private:
   }
 
   /** Refined cameras change all that comes before them, too. */
-  bool RefinesCameras() const { return this->Options.RefineCameras && this->Options.UseDepthMaps; }
+  bool RefinesCameras() { return this->Filters.CameraRefiner->GetNumberOfInputConnections(0) > 0; }
 
   /** Every stage before the novel camera; with better cameras, if there are, all of them again. */
   void RunScene()
   {
-    if (!this->Options.UseDepthMaps)
+    this->Options.UseDepthMaps ? this->RunCrustAndDepths() : this->RunCrust();
+    if (this->RefinesCameras() && !std::exchange(this->TriedCameras, true))
     {
-      this->RunCrust();
-      this->WarnOfHull();
-      return;
-    }
-    this->RunCrustAndDepths();
-    if (this->RefinesCameras() && !this->TriedCameras)
-    {
-      this->TriedCameras = true;
       this->Run("cameras", this->Filters.CameraRefiner);
       if (this->Filters.CameraRefiner->GetRefined())
       {
@@ -291,7 +285,6 @@ private:
         this->RunCrustAndDepths();
       }
     }
-    this->WarnOfHull();
   }
 
   void UseRefinedCameras()

@@ -40,13 +40,12 @@ struct SynthesisOptions
   std::filesystem::path Cache;
 
   // ---- cameras
-  bool RefineCameras =
-    false; ///< correct their poses where photographs agree on it; needs depth maps
+  /** Correct their poses where photographs agree on it; needs depth maps. */
+  bool RefineCameras = false;
 
   // ---- silhouettes
   bool ReconcileSilhouettes = false; ///< enlarge those that are too small for all the others
-
-  bool RepairSilhouettes = false; ///< add parts that most of the others show
+  bool RepairSilhouettes = false;    ///< add parts that most of the others show
 
   // ---- hull
   /** Sample spacing, input pixels. */

@@ -227,7 +227,7 @@ private:
     {
       return false;
     }
-    const double seen = view.DepthMap(RoundToInt(pixel.x()), RoundToInt(pixel.y()));
+    const double seen = view.DepthMap(FloorToInt(pixel.x() + 0.5), FloorToInt(pixel.y() + 0.5));
     return seen > 0 && std::abs(seen - depth) < 8 * view.Cam.PixelFootprint(depth);
   }
 
@@ -293,7 +293,7 @@ private:
     }
     found = centre + warp * offset;
     return camera.InFrame(found) &&
-      this->Views[other].IsObject(RoundToInt(found.x()), RoundToInt(found.y()));
+      this->Views[other].IsObject(FloorToInt(found.x() + 0.5), FloorToInt(found.y() + 0.5));
   }
 
   bool BestOffset(const Patch& reference, const Image<float>& warped, Vector2d& offset) const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fusion/FusedSilhouette.h"
 
+#include "core/ConnectedRegions.h"
 #include "core/ToInt.h"
 #include "fusion/RayMarcher.h"
 #include "geometry/Rasteriser.h"
@@ -295,39 +296,18 @@ Image<float> Smoothed(const Image<float>& image, double sigma, const Execution& 
 /** Turns connected regions (4 neighbours) on one side of 127.5 that are too small to the other. */
 void RemoveSmallRegions(Image<std::uint8_t>& image, bool object, double minArea)
 {
-  std::vector<std::uint8_t> seen(image.Values.size(), 0);
-  std::vector<int> region;
-  for (int start = 0; start < static_cast<int>(seen.size()); ++start)
-  {
-    if (seen[start] || (image.Values[start] > 127) != object)
+  ForEachRegion(
+    image.Width, image.Height, [&](int x, int y) { return (image(x, y) > 127) == object; },
+    [&](const PixelRegion& region)
     {
-      continue;
-    }
-    region.assign(1, start);
-    seen[start] = 1;
-    for (std::size_t n = 0; n < region.size(); ++n)
-    {
-      const int x = region[n] % image.Width;
-      const int y = region[n] / image.Width;
-      for (const auto& [dx, dy] : { std::pair(-1, 0), { 1, 0 }, { 0, -1 }, { 0, 1 } })
+      if (static_cast<double>(region.size()) < minArea)
       {
-        const int other = region[n] + dy * image.Width + dx;
-        if (image.Ref().Contains(x + dx, y + dy) && !seen[other] &&
-          (image.Values[other] > 127) == object)
+        for (const auto& [x, y] : region)
         {
-          seen[other] = 1;
-          region.push_back(other);
+          image(x, y) = object ? 0 : 255;
         }
       }
-    }
-    if (static_cast<double>(region.size()) < minArea)
-    {
-      for (const int pixel : region)
-      {
-        image.Values[pixel] = object ? 0 : 255;
-      }
-    }
-  }
+    });
 }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "silhouettes/SilhouetteRepair.h"
 
+#include "core/ConnectedRegions.h"
 #include "core/Quantile.h"
 #include "core/ToInt.h"
 #include "geometry/DepthImage.h"
@@ -43,44 +44,22 @@ Bits Dilated(const Bits& image, int radius)
   return result;
 }
 
-using Region = std::vector<std::pair<int, int>>;
-
-/** Drops connected regions (4 neighbours) that `keeps(region)` refuses; returns whether any is left. */
-template <class Keeps>
-bool KeepRegions(Bits& image, const Keeps& wanted)
+/** Drops connected regions (4 neighbours) that wanted(region) refuses; returns whether any is left. */
+template <class Wanted>
+bool KeepRegions(Bits& image, const Wanted& wanted)
 {
   bool any = false;
-  Bits seen(image.Width, image.Height);
-  Region region;
-  for (int y = 0; y < image.Height; ++y)
-  {
-    for (int x = 0; x < image.Width; ++x)
+  ForEachRegion(
+    image.Width, image.Height, [&](int x, int y) { return image(x, y) > 0; },
+    [&](const PixelRegion& region)
     {
-      if (!image(x, y) || std::exchange(seen(x, y), 1))
-      {
-        continue;
-      }
-      region.assign(1, { x, y });
-      for (std::size_t n = 0; n < region.size(); ++n)
-      {
-        const auto [i, j] = region[n];
-        for (const auto& [di, dj] : { std::pair(-1, 0), { 1, 0 }, { 0, -1 }, { 0, 1 } })
-        {
-          if (image.Ref().Contains(i + di, j + dj) && image(i + di, j + dj) &&
-            !std::exchange(seen(i + di, j + dj), 1))
-          {
-            region.emplace_back(i + di, j + dj);
-          }
-        }
-      }
       const bool keeps = wanted(region);
       any = any || keeps;
-      for (const auto& [i, j] : region)
+      for (const auto& [x, y] : region)
       {
-        image(i, j) = keeps ? 255 : 0;
+        image(x, y) = keeps ? 255 : 0;
       }
-    }
-  }
+    });
   return any;
 }
 
@@ -186,7 +165,7 @@ private:
   static bool KeepLarge(Bits& image, int minArea)
   {
     return KeepRegions(image,
-      [minArea](const Region& region) { return static_cast<int>(region.size()) >= minArea; });
+      [minArea](const PixelRegion& region) { return static_cast<int>(region.size()) >= minArea; });
   }
 
   /**
@@ -216,7 +195,7 @@ private:
     }
     const ColourModel object = ColoursOf(view, 1, 3);
     const ColourModel background = ColoursOf(view, -1, 3);
-    const auto looksLikeObject = [&](const Region& region)
+    const auto looksLikeObject = [&](const PixelRegion& region)
     {
       const auto like = std::count_if(region.begin(), region.end(),
         [&](const std::pair<int, int>& at)
@@ -297,8 +276,8 @@ private:
       {
         continue;
       }
-      const int x = RoundToInt(pixel.x());
-      const int y = RoundToInt(pixel.y());
+      const int x = FloorToInt(pixel.x() + 0.5);
+      const int y = FloorToInt(pixel.y() + 0.5);
       witnesses += !this->Uncovered[i].Values.empty() && this->Uncovered[i](x, y);
       if (view.ContourDistance(x, y) <= 0)
       {

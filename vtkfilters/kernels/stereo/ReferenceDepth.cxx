@@ -56,31 +56,21 @@ bool IsClipped(const std::uint8_t* rgbl)
   return least >= 250 || most <= 5;
 }
 
-/** The share of the object's pixels in the window about each pixel that are clipped. */
-Image<float> ClippedShare(const MatchImage& image, int radius)
+/** The share of the object's pixels in the window about a pixel of the object that are not clipped. */
+float UnclippedShare(const MatchImage& image, int x, int y, int radius)
 {
-  const int width = image.Pixels.Width;
-  const int height = image.Pixels.Height;
-  Image<float> share(width, height);
-  for (int y = 0; y < height; ++y)
+  int count = 0;
+  int clipped = 0;
+  for (int j = std::max(y - radius, 0); j <= std::min(y + radius, image.Pixels.Height - 1); ++j)
   {
-    for (int x = 0; x < width; ++x)
+    for (int i = std::max(x - radius, 0); i <= std::min(x + radius, image.Pixels.Width - 1); ++i)
     {
-      int count = 0;
-      int clipped = 0;
-      for (int j = std::max(y - radius, 0); j <= std::min(y + radius, height - 1); ++j)
-      {
-        for (int i = std::max(x - radius, 0); i <= std::min(x + radius, width - 1); ++i)
-        {
-          const std::uint8_t* pixel = &image.Pixels(i, j);
-          count += pixel[3] > 0;
-          clipped += pixel[3] > 0 && IsClipped(pixel);
-        }
-      }
-      share(x, y) = count ? static_cast<float>(clipped) / static_cast<float>(count) : 0.f;
+      const std::uint8_t* pixel = &image.Pixels(i, j);
+      count += pixel[3] > 0;
+      clipped += pixel[3] > 0 && IsClipped(pixel);
     }
   }
-  return share;
+  return 1 - (count ? static_cast<float>(clipped) / static_cast<float>(count) : 0.f);
 }
 
 PassResult MatchPass(const MatchImage& reference, const Image<float>& base,
@@ -100,16 +90,18 @@ PassResult MatchPass(const MatchImage& reference, const Image<float>& base,
   const CostVolume sums = AggregateSemiGlobally(volume, base, options.SemiGlobal, execution);
   Image<std::uint8_t> winner;
   result.Depth = MaskedMedian(WinnerTakesAll(sums, base, winner), 2);
-  const Image<float> clipped = ClippedShare(reference, options.Match.WindowRadius);
   for (int y = 0; y < box.Height(); ++y)
   {
     for (int x = 0; x < box.Width(); ++x)
     {
-      if (base(box.XBegin + x, box.YBegin + y) > 0)
+      const int frameX = box.XBegin + x;
+      const int frameY = box.YBegin + y;
+      if (base(frameX, frameY) > 0)
       {
-        const float cost = volume.Row(y, winner(box.XBegin + x, box.YBegin + y))[x];
-        const float evidence = 1 - clipped(box.XBegin + x, box.YBegin + y);
-        result.Score(box.XBegin + x, box.YBegin + y) = evidence * (1 - cost / CostVolume::Unit);
+        const float cost = volume.Row(y, winner(frameX, frameY))[x];
+        result.Score(frameX, frameY) =
+          UnclippedShare(reference, frameX, frameY, options.Match.WindowRadius) *
+          (1 - cost / CostVolume::Unit);
       }
     }
   }
