@@ -4,6 +4,7 @@
 #include "OptionParser.h"
 #include "base/AtomicFile.h"
 #include "base/InputFile.h"
+#include "base/NumberText.h"
 #include "base/UsageError.h"
 #include "options/NearestWord.h"
 
@@ -77,6 +78,26 @@ void AddCommands(CLI::App& app, Parsed& parsed, const std::vector<Command>& comm
   }
 }
 
+/** The commands that the processes of mpirun can share, "render, orbit or evaluate". */
+std::string SharedNames(const std::vector<Command>& commands)
+{
+  std::vector<std::string> names;
+  for (const Command& command : commands)
+  {
+    if (command.Shared)
+    {
+      names.push_back(command.Name);
+    }
+  }
+  if (names.size() < 2)
+  {
+    return Joined(names);
+  }
+  const std::string last = names.back();
+  names.pop_back();
+  return Joined(names) + " or " + last;
+}
+
 /** Runs the command; returns the exit code. */
 int Dispatch(const CLI::App& app, const Parsed& parsed, const std::vector<Command>& commands,
   const ProcessContext& processes, Console& console)
@@ -87,7 +108,7 @@ int Dispatch(const CLI::App& app, const Parsed& parsed, const std::vector<Comman
   if (processes.Count > 1 && !command->Shared)
   {
     throw UsageError(name, "cannot be shared between processes",
-      std::to_string(processes.Count) + " processes", "1, or render, orbit or evaluate");
+      std::to_string(processes.Count) + " processes", "1, or " + SharedNames(commands));
   }
   CommandContext context{ console, processes.Start };
   const OptionParser& options =

@@ -34,7 +34,8 @@
 #ifndef vtkOutlineDeformer_h
 #define vtkOutlineDeformer_h
 
-#include "deformation/DeformationParameters.h"
+#include "FilterOptions.h"
+#include "deformation/DeformationOptions.h"
 #include "vtkViewDeformer.h"
 
 class VTKNOVELVIEWFILTERS_EXPORT vtkOutlineDeformer : public vtkViewDeformer
@@ -44,39 +45,32 @@ public:
   vtkTypeMacro(vtkOutlineDeformer, vtkViewDeformer);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /** All options of the kernel; NumberOfIterations replaces Iterations. */
+  vtkFilterOptionsMacro(novelview::OutlineOptions);
+
   ///@{
   /** alpha of [1], weight of the contour energy. Default 0.3, range 0 to 100. */
-  vtkSetClampMacro(ContourWeight, double, novelview::OutlineParameters::Alpha.Min,
-    novelview::OutlineParameters::Alpha.Max);
-  vtkGetMacro(ContourWeight, double);
+  vtkFilterOptionMacro(ContourWeight, double, Alpha);
   ///@}
 
   ///@{
   /** beta of [1], weight of the smoothness energy. Default 0.3, range 0 to 100. */
-  vtkSetClampMacro(SmoothWeight, double, novelview::OutlineParameters::Beta.Min,
-    novelview::OutlineParameters::Beta.Max);
-  vtkGetMacro(SmoothWeight, double);
+  vtkFilterOptionMacro(SmoothWeight, double, Beta);
   ///@}
 
   ///@{
   /** How far to either side a point looks, novel pixels. Default 4, range 0.25 to 50. */
-  vtkSetClampMacro(SearchRange, double, novelview::OutlineParameters::SearchPx.Min,
-    novelview::OutlineParameters::SearchPx.Max);
-  vtkGetMacro(SearchRange, double);
+  vtkFilterOptionMacro(SearchRange, double, SearchPx);
   ///@}
 
   ///@{
   /** Radius of the photo-consistency windows, input pixels. Default 3 (7x7), range 1 to 7. */
-  vtkSetClampMacro(WindowRadius, int, novelview::OutlineParameters::WindowRadius.Min,
-    novelview::OutlineParameters::WindowRadius.Max);
-  vtkGetMacro(WindowRadius, int);
+  vtkFilterOptionMacro(WindowRadius, int, WindowRadius);
   ///@}
 
   ///@{
   /** sigma of the contour energy, input pixels. Default 4, range 0.5 to 100. */
-  vtkSetClampMacro(ContourSigma, double, novelview::OutlineParameters::SigmaPx.Min,
-    novelview::OutlineParameters::SigmaPx.Max);
-  vtkGetMacro(ContourSigma, double);
+  vtkFilterOptionMacro(ContourSigma, double, SigmaPx);
   ///@}
 
 protected:
@@ -85,12 +79,6 @@ protected:
   void Deform(const Work& work) override;
   const char* ContourArrayName() const override { return novelview::arrays::EnergyContour; }
   bool MovesOutline() const override { return true; }
-
-  double ContourWeight = novelview::OutlineParameters::Alpha.Default;
-  double SmoothWeight = novelview::OutlineParameters::Beta.Default;
-  double SearchRange = novelview::OutlineParameters::SearchPx.Default;
-  int WindowRadius = novelview::OutlineParameters::WindowRadius.Default;
-  double ContourSigma = novelview::OutlineParameters::SigmaPx.Default;
 
 private:
   vtkOutlineDeformer(const vtkOutlineDeformer&) = delete;

@@ -44,7 +44,8 @@
 #ifndef vtkPowerCrustMesher_h
 #define vtkPowerCrustMesher_h
 
-#include "crust/PowerCrustParameters.h"
+#include "FilterOptions.h"
+#include "crust/PowerCrustOptions.h"
 #include "vtkNovelViewFiltersModule.h"
 #include <vtkPolyDataAlgorithm.h>
 
@@ -54,6 +55,9 @@ public:
   static vtkPowerCrustMesher* New();
   vtkTypeMacro(vtkPowerCrustMesher, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /** All options of the kernel; OutputType replaces Output. */
+  vtkFilterOptionsMacro(novelview::PowerCrustOptions);
 
   enum OutputTypes
   {
@@ -81,17 +85,12 @@ public:
    * DelaunayCrust only: pieces and cavities with fewer samples than this are dropped as noise; the
    * largest piece stays. 0 keeps all. Default 20, range 0 to 2147483647.
    */
-  vtkSetClampMacro(MinimumComponentSamples, int,
-    novelview::PowerCrustParameters::MinimumComponentSamples.Min,
-    novelview::PowerCrustParameters::MinimumComponentSamples.Max);
-  vtkGetMacro(MinimumComponentSamples, int);
+  vtkFilterOptionMacro(MinimumComponentSamples, int, MinimumComponentSamples);
   ///@}
 
   ///@{
   /** DelaunayCrust only: bring samples just off the surface onto it. Default on. */
-  vtkSetMacro(RecoverSamples, bool);
-  vtkGetMacro(RecoverSamples, bool);
-  vtkBooleanMacro(RecoverSamples, bool);
+  vtkFilterSwitchMacro(RecoverSamples, RecoverSamples);
   ///@}
 
   /** The polar balls, output 1. */
@@ -106,8 +105,6 @@ protected:
 
   int OutputType = DelaunayCrust;
   bool UseNormals = true;
-  int MinimumComponentSamples = novelview::PowerCrustParameters::MinimumComponentSamples.Default;
-  bool RecoverSamples = novelview::PowerCrustParameters::RecoverSamples;
 
 private:
   vtkPowerCrustMesher(const vtkPowerCrustMesher&) = delete;

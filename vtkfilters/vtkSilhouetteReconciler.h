@@ -22,7 +22,8 @@
 #ifndef vtkSilhouetteReconciler_h
 #define vtkSilhouetteReconciler_h
 
-#include "silhouettes/ConsistencyParameters.h"
+#include "FilterOptions.h"
+#include "silhouettes/ConsistencyOptions.h"
 #include "vtkNovelViewFiltersModule.h"
 #include <vtkMultiBlockDataSetAlgorithm.h>
 
@@ -33,18 +34,17 @@ public:
   vtkTypeMacro(vtkSilhouetteReconciler, vtkMultiBlockDataSetAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /** All options of the kernel. */
+  vtkFilterOptionsMacro(novelview::ConsistencyOptions);
+
   ///@{
   /** Smaller offsets are left alone, pixels. Default 0.5, range 0.25 to 100. */
-  vtkSetClampMacro(MinOffset, double, novelview::ConsistencyParameters::MinPx.Min,
-    novelview::ConsistencyParameters::MinPx.Max);
-  vtkGetMacro(MinOffset, double);
+  vtkFilterOptionMacro(MinOffset, double, MinPx);
   ///@}
 
   ///@{
   /** Part of the other views' edge rays a silhouette has to cut. Default 0.05, range 0 to 1. */
-  vtkSetClampMacro(MinShare, double, novelview::ConsistencyParameters::MinShare.Min,
-    novelview::ConsistencyParameters::MinShare.Max);
-  vtkGetMacro(MinShare, double);
+  vtkFilterOptionMacro(MinShare, double, MinShare);
   ///@}
 
 protected:
@@ -52,9 +52,6 @@ protected:
   ~vtkSilhouetteReconciler() override = default;
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
-
-  double MinOffset = novelview::ConsistencyParameters::MinPx.Default;
-  double MinShare = novelview::ConsistencyParameters::MinShare.Default;
 
 private:
   vtkSilhouetteReconciler(const vtkSilhouetteReconciler&) = delete;

@@ -31,16 +31,12 @@ public:
    * Larger values carve less. 0 takes the one that vtkReferenceDepthEstimator found for the data
    * set. Default 0, range 0 to 10.
    */
-  vtkSetClampMacro(SilhouettePrior, double, novelview::FusionParameters::SilhouettePrior.Min,
-    novelview::FusionParameters::SilhouettePrior.Max);
-  vtkGetMacro(SilhouettePrior, double);
+  vtkFilterOptionMacro(SilhouettePrior, double, SilhouettePrior);
   ///@}
 
   ///@{
   /** Refine the outline by the contour interpolated from the photographs' own. Default off. */
-  vtkSetMacro(UseContourPrediction, bool);
-  vtkGetMacro(UseContourPrediction, bool);
-  vtkBooleanMacro(UseContourPrediction, bool);
+  vtkFilterSwitchMacro(UseContourPrediction, UsePrediction);
   ///@}
 
 protected:
@@ -49,9 +45,6 @@ protected:
   void Deform(const Work& work) override;
   const char* ContourArrayName() const override { return novelview::arrays::EnergyContour; }
   bool MovesOutline() const override { return true; }
-
-  double SilhouettePrior = novelview::FusionParameters::SilhouettePrior.Default;
-  bool UseContourPrediction = novelview::FusionParameters::UsePrediction;
 
 private:
   vtkTsdfOutlineDeformer(const vtkTsdfOutlineDeformer&) = delete;

@@ -20,7 +20,7 @@
 #define vtkViewDeformer_h
 
 #include "ArrayNames.h"
-#include "deformation/DeformationParameters.h"
+#include "deformation/DeformationOptions.h"
 #include "vtkNovelViewFiltersModule.h"
 #include <vtkCommand.h>
 #include <vtkPolyDataAlgorithm.h>
@@ -54,8 +54,8 @@ public:
 
   ///@{
   /** Iterations at most; 0 only measures the energies. Default 10, range 0 to 1000. */
-  vtkSetClampMacro(NumberOfIterations, int, novelview::DeformationParameters::Iterations.Min,
-    novelview::DeformationParameters::Iterations.Max);
+  vtkSetClampMacro(NumberOfIterations, int, novelview::IterationsParameter.Min,
+    novelview::IterationsParameter.Max);
   vtkGetMacro(NumberOfIterations, int);
   ///@}
 
@@ -103,7 +103,7 @@ protected:
 
   vtkSmartPointer<vtkPinholeCamera> Camera;
   vtkSmartPointer<vtkPolyData> CurrentMesh;
-  int NumberOfIterations = novelview::DeformationParameters::Iterations.Default;
+  int NumberOfIterations = novelview::IterationsParameter.Default;
   int Iteration = 0;
   vtkIdType PointsMoved = 0;
   double MeanEnergy = 0;

@@ -172,8 +172,8 @@ int vtkVisibilityCuller::RequestData(
       {
         return;
       }
-      const std::vector<std::uint8_t> visible =
-        novelview::VisibleVertices(mesh, camera, this->Tolerance, novelview::ExecutionFor(this));
+      const std::vector<std::uint8_t> visible = novelview::VisibleVertices(
+        mesh, camera, this->Options.Tolerance, novelview::ExecutionFor(this));
       CheckCamera(camera, mesh, visible);
 
       const auto anyVisible = [&visible](const Eigen::Vector3i& t)
@@ -184,9 +184,9 @@ int vtkVisibilityCuller::RequestData(
       std::vector<int> keptIds;
       std::vector<int> removedIds;
       novelview::SplitMesh kept{ Extract(mesh, anyVisible, keptIds), {} };
-      if (this->MaximumEdgeLength > 0)
+      if (this->Options.LongestEdgePx > 0)
       {
-        kept = novelview::SplitLongEdges(kept.Mesh, camera, this->MaximumEdgeLength);
+        kept = novelview::SplitLongEdges(kept.Mesh, camera, this->Options.LongestEdgePx);
       }
       vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
       novelview::FromTriangleMesh(kept.Mesh, output);
@@ -200,7 +200,6 @@ int vtkVisibilityCuller::RequestData(
 void vtkVisibilityCuller::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  this->PrintOptions(os, indent);
   novelview::PrintCamera(os, indent, this->Camera);
-  os << indent << "Tolerance: " << this->Tolerance << "\n";
-  os << indent << "MaximumEdgeLength: " << this->MaximumEdgeLength << "\n";
 }

@@ -2,6 +2,7 @@
 #include "commands/MethodOptions.h"
 
 #include "base/UsageError.h"
+#include "texture/TextureAtlasOptions.h"
 
 namespace novelview
 {
@@ -28,7 +29,7 @@ Option RankTimeoutOption(int& seconds)
 Option TextureSizeOption(int& sizePx, const char* group)
 {
   return ParameterOption("textureSize", "largest side of a mesh's texture", group, &sizePx,
-    TextureAtlasParameters::LargestSidePx);
+    TextureAtlasOptions::LargestSidePxParameter);
 }
 
 OptionTable WithMethod(OptionTable table, MethodOptions& options)

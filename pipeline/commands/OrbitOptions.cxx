@@ -27,8 +27,8 @@ OptionTable OptionsOf(OrbitOptions& options)
 SynthesisOptions OrbitOptions::DefaultsOf(const std::string& preset)
 {
   SynthesisOptions options = PresetOptions(preset);
-  options.SoftBoundary = true;
-  options.BoundarySamples = 5;
+  options.Texture.SoftBoundary = true;
+  options.Texture.BoundarySamples = 5;
   return options;
 }
 

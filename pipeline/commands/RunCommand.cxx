@@ -147,7 +147,7 @@ void RunView(const RunOptions& options, Console& console)
   AnnounceText(options.Out / "job.json", jobText);
   PrepareFolder(options.Out,
     FilesOfRun(
-      options.UpTo, options.Synthesis.OutlineIterations, options.Synthesis.NonOutlineIterations));
+      options.UpTo, options.Synthesis.Outline.Iterations, options.Synthesis.NonOutline.Iterations));
   const auto truth = TruthOf(options, view);
   const auto trueMesh = options.TrueMesh.empty() ? nullptr : LoadObject(options.TrueMesh.string());
   const Dataset dataset = ReadInput(options.Input, index,

@@ -4,6 +4,7 @@
 
 #include "commands/MethodOptions.h"
 #include "dataset/ViewSpec.h"
+#include "texture/TextureAtlasOptions.h"
 
 #include <filesystem>
 #include <string>
@@ -24,7 +25,7 @@ struct RunOptions : MethodOptions
   bool Page = true;                ///< report.html and the picture of the rig
   std::vector<std::filesystem::path> MeshOut; ///< files of the view's mesh, see ModelFile.h
   /** Of the mesh's texture, at most. */
-  int TextureSizePx = TextureAtlasParameters::LargestSidePx.Default;
+  int TextureSizePx = TextureAtlasOptions::LargestSidePxParameter.Default;
 };
 
 /** The table: what the options are called, their help, units and ranges. */

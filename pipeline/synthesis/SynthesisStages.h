@@ -46,8 +46,6 @@ struct SynthesisStages
 
 private:
   void ConnectViews(vtkAlgorithmOutput* silhouettes, bool useDepthMaps);
-  void SetHullOptions(const SynthesisOptions& options);
-  void SetMapperOptions(const SynthesisOptions& options);
 };
 }
 

@@ -130,11 +130,11 @@ TEST(CommandLine, RunIsGivenItsJob)
   ASSERT_TRUE(outcome.Ran);
   EXPECT_EQ(outcome.Ran->Input.Dataset, "bunny");
   EXPECT_EQ(outcome.Ran->View.Fraction, 0.25);
-  EXPECT_EQ(outcome.Ran->Synthesis.HullBox, (std::array<double, 6>{ -1, -2, -3, 1, 2, 3 }));
+  EXPECT_EQ(outcome.Ran->Synthesis.Hull.Box, (std::array<double, 6>{ -1, -2, -3, 1, 2, 3 }));
   EXPECT_EQ(outcome.Ran->Input.Exclude, (std::vector<std::string>{ "a.png", "b.png" }));
   EXPECT_FALSE(outcome.Ran->WriteIterations);
   EXPECT_TRUE(outcome.Ran->Screenshots);
-  EXPECT_TRUE(outcome.Ran->Synthesis.HullKeepAll);
+  EXPECT_TRUE(outcome.Ran->Synthesis.Hull.KeepAllComponents);
   EXPECT_EQ(outcome.Ran->Input.Silhouette.Level, 30);
   EXPECT_EQ(outcome.Ran->Threads, 1);
 }
@@ -169,7 +169,8 @@ TEST(CommandLine, EvaluateIsGivenItsOptions)
   EXPECT_FALSE(outcome.Evaluated->LeaveOneOut);
   EXPECT_FALSE(outcome.Evaluated->Pictures);
   EXPECT_EQ(outcome.Evaluated->TrueMesh, "t.ply");
-  EXPECT_EQ(outcome.Evaluated->Synthesis.References, PresetOptions("paper").References);
+  EXPECT_EQ(
+    outcome.Evaluated->Synthesis.Texture.References, PresetOptions("paper").Texture.References);
   EXPECT_TRUE(outcome.Evaluated->Synthesis.UseDepthMaps);
 }
 
@@ -183,15 +184,16 @@ TEST(CommandLine, OrbitStartsFromAFilmsDefaults)
   EXPECT_EQ(outcome.Filmed->Frames, 30);
   EXPECT_EQ(outcome.Filmed->Fps, 25);
   EXPECT_EQ(outcome.Filmed->FramesDir, "pictures");
-  EXPECT_EQ(outcome.Filmed->Synthesis.Power, PresetOptions("paper").Power);
-  EXPECT_TRUE(outcome.Filmed->Synthesis.SoftBoundary);
-  EXPECT_EQ(outcome.Filmed->Synthesis.BoundarySamples, 5);
+  EXPECT_EQ(outcome.Filmed->Synthesis.Texture.Power, PresetOptions("paper").Texture.Power);
+  EXPECT_TRUE(outcome.Filmed->Synthesis.Texture.SoftBoundary);
+  EXPECT_EQ(outcome.Filmed->Synthesis.Texture.BoundarySamples, 5);
   const Outcome told =
     Parse({ "orbit", "bunny", "--out", "film", "--no-soft-boundary", "--boundary-samples", "1" });
   ASSERT_TRUE(told.Filmed) << told.Err;
-  EXPECT_FALSE(told.Filmed->Synthesis.SoftBoundary);
-  EXPECT_EQ(told.Filmed->Synthesis.BoundarySamples, 1);
-  EXPECT_FALSE(PresetOptions("best").SoftBoundary); // a single view's picture stays as it is
+  EXPECT_FALSE(told.Filmed->Synthesis.Texture.SoftBoundary);
+  EXPECT_EQ(told.Filmed->Synthesis.Texture.BoundarySamples, 1);
+  EXPECT_FALSE(
+    PresetOptions("best").Texture.SoftBoundary); // a single view's picture stays as it is
 }
 
 TEST(CommandLine, FormerNamesOfOptionsWorkWithAWarningEach)
@@ -200,8 +202,8 @@ TEST(CommandLine, FormerNamesOfOptionsWorkWithAWarningEach)
     Parse({ "orbit", "bunny", "--out", "film", "--no-soft-rim", "--rim-samples", "7", "--quiet" });
   ASSERT_TRUE(outcome.Filmed) << outcome.Err;
   EXPECT_EQ(outcome.Code, 0);
-  EXPECT_FALSE(outcome.Filmed->Synthesis.SoftBoundary);
-  EXPECT_EQ(outcome.Filmed->Synthesis.BoundarySamples, 7);
+  EXPECT_FALSE(outcome.Filmed->Synthesis.Texture.SoftBoundary);
+  EXPECT_EQ(outcome.Filmed->Synthesis.Texture.BoundarySamples, 7);
   EXPECT_THAT(outcome.Err, HasSubstr("warning: --rim-samples is now --boundary-samples\n"));
   EXPECT_THAT(outcome.Err, HasSubstr("warning: --soft-rim is now --soft-boundary\n"));
   EXPECT_EQ(std::count(outcome.Err.begin(), outcome.Err.end(), '\n'), 2) << outcome.Err;
@@ -223,7 +225,7 @@ TEST(CommandLine, FormerKeysInAJobFileWorkWithAWarning)
   WriteText(job, R"({"dataset": "d", "view": "like:a", "out": "o", "rimSamples": 7})");
   const Outcome outcome = Parse({ "run", job.c_str() });
   ASSERT_TRUE(outcome.Ran) << outcome.Err;
-  EXPECT_EQ(outcome.Ran->Synthesis.BoundarySamples, 7);
+  EXPECT_EQ(outcome.Ran->Synthesis.Texture.BoundarySamples, 7);
   EXPECT_THAT(outcome.Err, HasSubstr("job.json, key \"rimSamples\" is now \"boundarySamples\"\n"));
   EXPECT_EQ(std::count(outcome.Err.begin(), outcome.Err.end(), '\n'), 1) << outcome.Err;
   WriteText(job,

@@ -98,13 +98,13 @@ TEST(Job, CommandLineSetsEveryKindOfOption)
   EXPECT_EQ(job.Input.Dataset, "bunny");
   EXPECT_EQ(job.Out, "out");
   EXPECT_EQ(job.View.From, "0");
-  EXPECT_EQ(job.Synthesis.HullSpacingPx, 1.25);
-  EXPECT_EQ(job.Synthesis.HullBox, (std::array<double, 6>{ -1, -2, -3, 1, 2, 3.5 }));
-  EXPECT_TRUE(job.Synthesis.HullKeepAll);
+  EXPECT_EQ(job.Synthesis.Hull.SpacingPx, 1.25);
+  EXPECT_EQ(job.Synthesis.Hull.Box, (std::array<double, 6>{ -1, -2, -3, 1, 2, 3.5 }));
+  EXPECT_TRUE(job.Synthesis.Hull.KeepAllComponents);
   EXPECT_EQ(job.Input.Exclude, (std::vector<std::string>{ "a.png", "b.png" }));
   EXPECT_EQ(job.UpTo, Stage::Outline);
   EXPECT_EQ(job.Input.Silhouette.Level, 40);
-  EXPECT_EQ(job.Synthesis.References, 5);
+  EXPECT_EQ(job.Synthesis.Texture.References, 5);
   EXPECT_EQ(job.Truth, "t.png");
 }
 
@@ -149,17 +149,17 @@ TEST(Job, FileGoesOverPresetAndCommandLineOverFile)
   EXPECT_EQ(job.View.ParFile, folder / "test/t_par.txt");
   EXPECT_EQ(job.View.Name, "a.png");
   EXPECT_EQ(job.Synthesis.Preset, "paper");
-  EXPECT_EQ(job.Synthesis.HullSpacingPx, 3);
-  EXPECT_EQ(job.Synthesis.Power, 4);
-  EXPECT_EQ(job.Synthesis.OutlineIterations, PresetOptions("paper").OutlineIterations);
+  EXPECT_EQ(job.Synthesis.Hull.SpacingPx, 3);
+  EXPECT_EQ(job.Synthesis.Texture.Power, 4);
+  EXPECT_EQ(job.Synthesis.Outline.Iterations, PresetOptions("paper").Outline.Iterations);
   EXPECT_EQ(job.Threads, 2);
   EXPECT_FALSE(job.WriteIterations);
   // A preset on the command line replaces the file's stage options, but not those beside it.
   const RunOptions best =
     MakeRunOptions(folder / "job.json", { { "power", { "4" } }, { "preset", { "best" } } });
   EXPECT_EQ(best.Synthesis.Preset, "best");
-  EXPECT_EQ(best.Synthesis.HullSpacingPx, PresetOptions("best").HullSpacingPx);
-  EXPECT_EQ(best.Synthesis.Power, 4);
+  EXPECT_EQ(best.Synthesis.Hull.SpacingPx, PresetOptions("best").Hull.SpacingPx);
+  EXPECT_EQ(best.Synthesis.Texture.Power, 4);
   EXPECT_EQ(best.Input.Exclude, std::vector<std::string>{ "x.png" });
 }
 
@@ -175,7 +175,7 @@ TEST(Job, WrittenJobIsCompleteAndReadsBackTheSame)
   RunOptions again = MakeRunOptions(job.Out / "job.json", {});
   EXPECT_EQ(again.Out.lexically_normal(), (folder / "results/").lexically_normal());
   EXPECT_EQ(again.Input.Dataset, std::filesystem::absolute("bunny"));
-  EXPECT_EQ(again.Synthesis.HullBox, job.Synthesis.HullBox);
+  EXPECT_EQ(again.Synthesis.Hull.Box, job.Synthesis.Hull.Box);
   // Every option but the number of threads, which cannot change the result, is in the file.
   const nlohmann::ordered_json object = ReadJsonFile(job.Out / "job.json");
   EXPECT_EQ(object.size(), OptionsOf(job).size() - 1);

@@ -70,15 +70,15 @@ TEST_F(StageCacheTest, EverythingTheResultsFollowFromIsInTheKey)
   { return keys.insert(StageCache("c", views, this->Options).Entry()).second; };
   EXPECT_TRUE(add(this->Views));
   EXPECT_FALSE(add(BoxViews())) << "equal photographs are the same photographs";
-  this->Options.HullSpacingPx = 3;
+  this->Options.Hull.SpacingPx = 3;
   EXPECT_TRUE(add(this->Views));
   this->Options.UseDepthMaps = false;
   EXPECT_TRUE(add(this->Views));
   this->Options.ReconcileSilhouettes = false;
   EXPECT_TRUE(add(this->Views));
-  this->Options.HullBox = { 0, 0, 0, 1, 1, 1 };
+  this->Options.Hull.Box = { 0, 0, 0, 1, 1, 1 };
   EXPECT_TRUE(add(this->Views));
-  this->Options.Power = 3; // of the texture mapper
+  this->Options.Texture.Power = 3; // of the texture mapper
   EXPECT_FALSE(add(this->Views));
   const auto change = [&](const auto& how)
   {

@@ -79,7 +79,7 @@ void MakeDelaunayCrust(const DelaunayComplex& complex, const PowerCrustOptions& 
 
 void PowerCrustOptions::Check() const
 {
-  if (!PowerCrustParameters::MinimumComponentSamples.Contains(this->MinimumComponentSamples))
+  if (!MinimumComponentSamplesParameter.Contains(this->MinimumComponentSamples))
   {
     throw Error(Where, "MinimumComponentSamples is out of range",
       std::to_string(this->MinimumComponentSamples), "0 or more");

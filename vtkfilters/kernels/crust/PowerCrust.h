@@ -3,38 +3,13 @@
 #define novelview_PowerCrust_h
 
 #include "core/Execution.h"
-#include "crust/PowerCrustParameters.h"
+#include "crust/PowerCrustOptions.h"
 #include "geometry/TriangleMesh.h"
 
 #include <vector>
 
 namespace novelview
 {
-/** Which surface to make of the samples. */
-enum class CrustOutput
-{
-  PowerCrust,   ///< faces of the power diagram between inside and outside cells
-  DelaunayCrust ///< triangles over the samples themselves
-};
-
-/** How the crust is made. */
-struct PowerCrustOptions
-{
-  CrustOutput Output = CrustOutput::DelaunayCrust;
-
-  /**
-   * Pieces and cavities with fewer samples than this are noise and dropped; the largest piece
-   * stays. 0 keeps everything. DelaunayCrust only.
-   */
-  int MinimumComponentSamples = PowerCrustParameters::MinimumComponentSamples.Default;
-
-  /** Whether samples just under or over the surface are brought onto it. DelaunayCrust only. */
-  bool RecoverSamples = PowerCrustParameters::RecoverSamples;
-
-  /** Throws Error naming the field that is out of range. */
-  void Check() const;
-};
-
 /** Polar balls: the samples' approximation of the medial balls. */
 struct MedialBalls
 {

@@ -5,7 +5,7 @@
 #include "core/Execution.h"
 #include "core/ImageRef.h"
 #include "deformation/Deformation.h"
-#include "deformation/DeformationParameters.h"
+#include "deformation/DeformationOptions.h"
 #include "fusion/FusedSilhouette.h"
 #include "fusion/TsdfField.h"
 #include "geometry/View.h"
@@ -17,7 +17,7 @@ namespace novelview
 struct TsdfDeformationOptions
 {
   /** In how many steps the mesh goes there; the last one does not depend on it. */
-  int Iterations = DeformationParameters::Iterations.Default;
+  int Iterations = IterationsParameter.Default;
   bool LastOnly = false; ///< tell the listener of the last iteration only
   FusedSilhouetteOptions Silhouette;
   double Smoothing = 0.15; ///< weight of a point's neighbours against its own surface

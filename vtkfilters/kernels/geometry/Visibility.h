@@ -5,7 +5,7 @@
 #include "core/Execution.h"
 #include "geometry/Camera.h"
 #include "geometry/TriangleMesh.h"
-#include "geometry/VisibilityParameters.h"
+#include "geometry/VisibilityOptions.h"
 
 #include <cstdint>
 #include <vector>
@@ -27,7 +27,7 @@ namespace novelview
  * @return one value per point, 1 = visible.
  */
 std::vector<std::uint8_t> VisibleVertices(const TriangleMesh& mesh, const Camera& camera,
-  double tolerance = VisibilityParameters::Tolerance.Default, const Execution& execution = {});
+  double tolerance = VisibilityOptions().Tolerance, const Execution& execution = {});
 
 /** Does the cone of triangle `cellId` hide vertex `pointId`? The definition, for tests. */
 bool HidesVertex(const TriangleMesh& mesh, const Camera& camera, int cellId, int pointId,

@@ -4,25 +4,12 @@
 
 #include "core/Execution.h"
 #include "geometry/View.h"
-#include "silhouettes/ConsistencyParameters.h"
+#include "silhouettes/ConsistencyOptions.h"
 
 #include <vector>
 
 namespace novelview
 {
-struct ConsistencyOptions
-{
-  int RaysPerView = 300; ///< about so many rays of each silhouette's contour are followed, and
-  int RaysOfAll = 7200;  ///< not many more than so many in all, since each meets every view
-  /** Smaller offsets are left alone, and so is what disagrees by less. */
-  double MinPx = ConsistencyParameters::MinPx.Default;
-  /** Part of the others' rays that a silhouette has to cut. */
-  double MinShare = ConsistencyParameters::MinShare.Default;
-  double Outstanding = 3;  ///< and so many times the median silhouette's part
-  int Rounds = 5;          ///< at most, each with what the last one found put right
-  double MaxSlackPx = 0.6; ///< what all are enlarged by at most
-};
-
 /**
  * By how many pixels each silhouette is too small, judged by all others; 0 in a set that agrees.
  *
