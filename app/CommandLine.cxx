@@ -28,7 +28,7 @@ struct CommonFlags
   void AddTo(CLI::App& command)
   {
     command.add_flag("-q,--quiet", this->Quiet, "warnings and errors only")->group("Program");
-    command.add_flag("-v,--verbose", this->Verbose, "tell details")
+    command.add_flag("-v,--verbose", this->Verbose, "print details")
       ->group("Program")
       ->excludes("--quiet");
     command
@@ -45,7 +45,7 @@ struct CommonFlags
   }
 };
 
-/** The options of a table, but for those that are given otherwise. */
+/** The options of a table, except one that is given in another way. */
 OptionTable Without(OptionTable table, const std::string& key)
 {
   std::erase_if(table, [&key](const Option& option) { return option.Key == key; });
@@ -176,7 +176,7 @@ int RunCommandLine(int argc, const char* const* argv, const std::vector<Command>
       return ExitCode::Ok;
     }
     Console(processes.Rank == 0 ? Verbosity::Normal : Verbosity::Silent)
-      .Error(Explanation(app, error, argc, argv) + " (--help tells the options)");
+      .Error(Explanation(app, error, argc, argv) + " (--help lists the options)");
     return ExitCode::Usage;
   }
   catch (const std::exception& error)

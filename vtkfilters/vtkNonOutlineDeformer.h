@@ -4,8 +4,8 @@
  * @brief Moves the visible points that are no outline points along their viewing rays.
  *
  * Every visible point moves only on the line L through itself and the novel camera's centre, so
- * faces never cross in the novel picture and concavities can open. In each iteration it goes to the
- * least, within SearchRange, of
+ * faces never cross in the novel view and concavities can open. In each iteration it moves to
+ * the minimum, within SearchRange, of
  *
  *     E        = beta E_s + (1 - beta) E_vh + SmoothWeight E_r      [6]
  *     beta E_s = mean over the secondaries of w_k |P_sub,k - P|     [7]

@@ -68,7 +68,7 @@ void PackMesh(const novelview::TriangleMesh& mesh, vtkPolyData* output)
   output->SetPolys(triangles);
 }
 
-/** Copies the samples' point data to the surface's points and says which sample each is. */
+/** Copies the samples' point data to the surface's points, with the id of each sample. */
 void PackPointData(const std::vector<int>& sources, vtkPolyData* input, vtkPolyData* output)
 {
   const vtkIdType count = static_cast<vtkIdType>(sources.size());

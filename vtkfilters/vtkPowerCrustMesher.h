@@ -4,7 +4,7 @@
  * @brief A closed, oriented, manifold surface of points sampled on an object.
  *
  * Input 0: vtkPolyData, the samples (n points; cells are ignored). Optional point normals, outward,
- * of any length, help to tell inside from outside where the sampling is poor.
+ * of any length, help to distinguish inside from outside where the sampling is sparse.
  *
  * Output 0: vtkPolyData, triangles counter-clockwise seen from outside.
  *   DelaunayCrust: the points are samples, and carry the input's point data (Normals, ...).
@@ -24,7 +24,7 @@
  * those of poles by their label, others by the ball they agree with best.
  *
  * The surface is always closed, oriented and edge- and vertex-manifold. PowerCrust is by
- * construction. DelaunayCrust is repaired: tetrahedra around irregular samples are turned over, on
+ * construction. DelaunayCrust is repaired: tetrahedra around irregular samples are relabelled, on
  * the side where that costs less volume; what remains is cut apart, by doubling points and, rarely,
  * by adding the midpoint of an edge.
  *

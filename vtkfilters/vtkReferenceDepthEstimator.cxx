@@ -34,7 +34,7 @@ int vtkReferenceDepthEstimator::FillInputPortInformation(int port, vtkInformatio
 
 namespace
 {
-/** What the maps tell about each other: noise, prior of the outline, exposures. */
+/** Comparisons of the maps: noise, prior of the outline, exposures. */
 void AttachComparisons(vtkMultiBlockDataSet* output, const novelview::TriangleMesh& hull,
   const novelview::Execution& execution)
 {

@@ -4,10 +4,10 @@
  * @brief Enlarges silhouettes that are too small for the others.
  *
  * The visual hull believes every silhouette: one that a threshold has eaten into by two pixels takes
- * these two pixels off the object for good. The rays through the edge of each silhouette tell whether
- * another one stands against them (SilhouetteConsistency.h); one that does far more often than the
- * rest is enlarged by as much as they ask for. Where all disagree by a little, as with cameras that
- * are off by a pixel, all are enlarged by a fraction of one.
+ * these two pixels off the object for good. The rays through the edge of each silhouette show
+ * whether another one stands against them (SilhouetteConsistency.h); one that does far more often
+ * than the rest is enlarged by as much as they require. Where all disagree by a little, as with
+ * cameras that are off by a pixel, all are enlarged by a fraction of one.
  *
  * Ports:
  *  - in 0: vtkMultiBlockDataSet, the views (see ViewAccess.h) with `Mask` and `ContourDistance`.

@@ -100,7 +100,8 @@ int vtkTextureAtlasGenerator::FillOutputPortInformation(int port, vtkInformation
 int vtkTextureAtlasGenerator::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
-  // An image must say an extent; an empty one asks for nothing, and the texture is made regardless.
+  // An image must state an extent; an empty one requests nothing, and the texture is computed
+  // anyway.
   const int empty[6] = { 0, -1, 0, -1, 0, -1 };
   outputs->GetInformationObject(2)->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), empty, 6);
   return 1;

@@ -3,12 +3,12 @@
  * @class vtkTextureAtlasGenerator
  * @brief A mesh with the photographs' colours, for no camera: per point, and as charts with a texture.
  *
- * Where vtkViewDependentTextureMapper makes the picture of one novel camera, this filter makes a
+ * Where vtkViewDependentTextureMapper makes the image of one novel camera, this filter makes a
  * textured mesh for other programs. Every triangle is given to the photograph that shows it best;
- * connected triangles of one photograph are a chart, whose texture coordinates are the pixels of that
- * photograph; the charts are packed into one texture. Every texel is blended from all photographs
- * that see its surface point, as vtkViewDependentTextureMapper does for a camera that looks straight
- * at it, so that charts match at their seams (TextureAtlas.h).
+ * connected triangles of one photograph are a chart, whose texture coordinates are the pixels of
+ * that photograph; the charts are packed into one texture. Every texel is blended from all
+ * photographs that see its surface point, as vtkViewDependentTextureMapper does for a camera that
+ * looks straight at it, so that charts match at their seams (TextureAtlas.h).
  *
  * Ports:
  *  - in 0: vtkPolyData, triangles; n points.
@@ -25,8 +25,8 @@
  *
  * Differs from the paper: the whole filter is an addition.
  *
- * Errors: no triangles, cells that are not triangles, no views, missing arrays, charts that fit at no
- * sensible scale.
+ * Errors: no triangles, cells that are not triangles, no views, missing arrays, charts that fit at
+ * no sensible scale.
  *
  * References: Chia, He and Lin 2013, section 3 (the blending); Lempitsky and Ivanov, "Seamless
  * mosaicing of image-based texture maps", CVPR 2007 (photographs chosen per triangle).
@@ -83,7 +83,7 @@ public:
   ///@}
 
   ///@{
-  /** Bring the photographs to one exposure by their `ExposureGain` where there is one. Default on. */
+  /** Equalise the exposure of the photographs by their `ExposureGain`, if present. Default on. */
   vtkFilterSwitchMacro(UseExposureGains, Texture.UseGains);
   ///@}
 

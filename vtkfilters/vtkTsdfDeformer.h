@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class vtkTsdfDeformer
- * @brief What the deformers share that follow depth maps.
+ * @brief Base class of the deformers that follow depth maps.
  *
  * The depth maps of the views (arrays `Depth` and `Confidence`, as vtkReferenceDepthEstimator adds
  * them) are fused into a truncated signed distance (TsdfField.h), and the points move onto its zero
@@ -34,9 +34,9 @@ public:
 
   ///@{
   /**
-   * By how many input pixel footprints the maps are off. The more, the more steadily and the less
-   * finely they are followed (TsdfDeformation.h). 0 takes what vtkReferenceDepthEstimator measured.
-   * Default 0, range 0 to 10.
+   * Error of the maps in input pixel footprints. The larger, the more smoothly and the less
+   * closely they are followed (TsdfDeformation.h). 0 takes what vtkReferenceDepthEstimator
+   * measured. Default 0, range 0 to 10.
    */
   vtkFilterOptionMacro(DepthNoise, double, DepthNoise);
   ///@}

@@ -6,7 +6,7 @@
  * The sibling of vtkNonOutlineDeformer for views with depth maps. Every point, outline points and
  * invisible ones included, moves on the line through itself and the novel camera's centre to where
  * the fused maps change from free to solid, balanced with its neighbours (TsdfDeformation.h).
- * Points that nobody sees lie at the boundary of what is seen; left behind they would be spikes.
+ * Points that no photograph sees lie at the boundary of what is seen; unmoved they would be spikes.
  *
  * Ports and arrays: see vtkTsdfDeformer. Added point arrays: `EnergyPhoto` (distance to the
  * crossing), `EnergyHull` (distance to where the point started), `EnergySmooth`, `Energy`; pixel

@@ -9,9 +9,9 @@
  * UseContourPrediction that contour is refined by the one interpolated from the photographs'
  * contours (ContourPrediction.h).
  *
- * Ports and arrays: see vtkTsdfDeformer. Out 0 holds only the triangles that face the novel camera;
- * added point arrays: `OutlineFlag` (uint8, 1 = outline point), `EnergyPhoto` (distance to the
- * contour, pixels), `Energy` (the same), `EnergyContour` and `EnergySmooth` (0).
+ * Ports and arrays: see vtkTsdfDeformer. Out 0 contains only the triangles that face the novel
+ * camera; added point arrays: `OutlineFlag` (uint8, 1 = outline point), `EnergyPhoto` (distance to
+ * the contour, pixels), `Energy` (the same), `EnergyContour` and `EnergySmooth` (0).
  */
 #ifndef vtkTsdfOutlineDeformer_h
 #define vtkTsdfOutlineDeformer_h
@@ -27,9 +27,9 @@ public:
 
   ///@{
   /**
-   * Weight of "object" against the photographs' votes when it is decided whether a ray meets any.
-   * Larger values carve less. 0 takes the one that vtkReferenceDepthEstimator found for the data
-   * set. Default 0, range 0 to 10.
+   * Weight of the label "object" against the photographs' votes when a ray is classified.
+   * Larger values carve less. 0 takes the one that vtkReferenceDepthEstimator estimated for the
+   * data set. Default 0, range 0 to 10.
    */
   vtkFilterOptionMacro(SilhouettePrior, double, SilhouettePrior);
   ///@}

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class vtkViewDeformer
- * @brief What the deformers share: ports, camera, iterations, the event after each.
+ * @brief Base class of the deformers: ports, camera, iterations, the event after each.
  *
  * Ports:
  *  - in 0: vtkPolyData, triangles; point arrays `Visible` and `OutlineFlag` (uint8) when present.
@@ -60,7 +60,7 @@ public:
   ///@}
 
   ///@{
-  /** State of the iteration that IterationEvent tells of; of the last one after an update. */
+  /** State of the iteration that IterationEvent reports; after an update, of the last one. */
   vtkPolyData* GetCurrentMesh();
   vtkGetMacro(Iteration, int);
   vtkGetMacro(PointsMoved, vtkIdType);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class vtkViewDependentTextureMapper
- * @brief The picture a camera takes of a mesh, coloured from calibrated photographs.
+ * @brief The image of a mesh in a camera, coloured from calibrated photographs.
  *
  * The mesh lookup table (the mesh rasterised into the camera, in software) gives every pixel its
  * surface point V. Its colour is
@@ -90,12 +90,12 @@ public:
   ///@}
 
   ///@{
-  /** Test occlusion against the views' `Depth` arrays where there are. Default off. */
+  /** Test occlusion against the views' `Depth` arrays, if present. Default off. */
   vtkFilterSwitchMacro(UseDepthMaps, UseDepthMaps);
   ///@}
 
   ///@{
-  /** Bring the photographs to one exposure by their `ExposureGain` where there is one. Default off. */
+  /** Equalise the exposure of the photographs by their `ExposureGain`, if present. Default off. */
   vtkFilterSwitchMacro(UseExposureGains, UseGains);
   ///@}
 
@@ -110,7 +110,7 @@ public:
   ///@{
   /**
    * Give pixels of which less than half is covered their share of colour, although they are not of
-   * the `Mask`: in a film the contour then moves instead of jumping. Needs BoundarySamples above 1.
+   * the `Mask`: in a video the contour then moves continuously. Needs BoundarySamples above 1.
    * Default off.
    */
   vtkFilterSwitchMacro(SoftBoundary, SoftBoundary);

@@ -19,7 +19,7 @@
  *
  * Differs from the paper: the same definition, found through a grid over the image plane instead of
  * comparing each vertex with every triangle. With MaximumEdgeLength what remains is made as fine as
- * this camera's pixels ask for, so that the mesh of the whole object need not be.
+ * this camera's pixels require, so that the mesh of the whole object need not be.
  *
  * Limits: a triangle with a corner behind the camera hides nothing.
  *
@@ -62,8 +62,8 @@ public:
 
   ///@{
   /**
-   * Edges that remain and are longer than this in the camera's picture, pixels, are cut once at
-   * their middle; 0 leaves all whole. Default 0, range 0 to 1000.
+   * Edges that remain and are longer than this in the camera's image, pixels, are split once at
+   * their midpoints; 0 splits none. Default 0, range 0 to 1000.
    */
   vtkFilterOptionMacro(MaximumEdgeLength, double, LongestEdgePx);
   ///@}

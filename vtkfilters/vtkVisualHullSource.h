@@ -4,7 +4,7 @@
  * @brief Surface samples of the visual hull of calibrated silhouettes.
  *
  * The visual hull is the set of points whose projection lies inside the silhouette of every view
- * that sees them. A view says nothing of what is outside its frame or behind its camera: it never
+ * that sees them. A view has no information outside its frame or behind its camera: it never
  * carves there. With d_v the signed contour distance of view v (pixels, positive inside), z_v the
  * depth and f_v the focal length, the hull is f >= 0 for
  *
@@ -20,7 +20,7 @@
  *  - out 0: vtkPolyData, points (double) and point array `Normals` (float x 3, outward, unit). No
  *    cells.
  *  - out 1: vtkPolyData, triangles: the surface as the lattice connects all samples (surface nets),
- *    of before the thinning. Rougher than the power crust, but there at once: creases are cut by a
+ *    of before the thinning. Less accurate than the power crust, but available earlier: creases are cut by a
  *    fraction of the spacing, and it need not be a manifold.
  *
  * Limits: samples agree with the silhouettes to a small fraction of a pixel except where the frame

@@ -33,7 +33,7 @@ public:
 
   ///@{
   /**
-   * By how many input pixel footprints the depth maps are off, see vtkTsdfDeformer. 0 takes what
+   * Error of the depth maps in input pixel footprints, see vtkTsdfDeformer. 0 takes what
    * vtkReferenceDepthEstimator measured. Default 0, range 0 to 10.
    */
   vtkFilterOptionMacro(DepthNoise, double, DepthNoise);

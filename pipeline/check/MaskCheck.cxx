@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace
 {
-/** Pictures in the folders of masks that belong to no photograph. */
+/** Images in the folders of masks that belong to no photograph. */
 std::vector<std::string> StrayMasks(const CheckContext& context)
 {
   std::vector<std::string> stray;
@@ -63,13 +63,13 @@ void CheckMasks(CheckContext& context)
   if (given == 0)
   {
     context.Add(stray.empty() ? CheckSeverity::Note : CheckSeverity::Warning, "mask-missing", "",
-      "no masks: silhouettes are taken from the photographs" + unmatched);
+      "no masks: silhouettes are extracted from the photographs" + unmatched);
     return;
   }
   for (const std::string& name : without)
   {
     context.Add(CheckSeverity::Warning, "mask-missing", name,
-      "has no mask, others have; its silhouette is taken from the photograph" + unmatched);
+      "has no mask, others have; its silhouette is extracted from the photograph" + unmatched);
   }
 }
 }

@@ -20,7 +20,7 @@ Option ThreadsOption(int& threads)
 Option RankTimeoutOption(int& seconds)
 {
   Option option = ParameterOption("rankTimeout",
-    "end the run of several processes (mpirun) when one of them is silent for so long; 0 = never",
+    "end the run of several processes (mpirun) when one of them is silent for this long; 0 = never",
     "Program", &seconds, ProgramParameters::RankTimeoutSeconds);
   option.InJob = false;
   return option;

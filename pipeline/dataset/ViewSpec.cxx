@@ -45,7 +45,7 @@ ViewSpec ParseBetween(const std::string& text, const std::string& rest)
   }
   if (second != std::string::npos && !ParseFraction(rest.substr(second + 1), spec.Fraction))
   {
-    Refuse(text, "fraction is no number from 0 to 1");
+    Refuse(text, "fraction is not a number from 0 to 1");
   }
   return spec;
 }
@@ -96,7 +96,7 @@ const Photograph& FindByNameOrNumber(const DatasetIndex& dataset, const std::str
   return Find(dataset.Cameras, text, dataset.Calibration.string());
 }
 
-/** Sets the size to that of a picture. */
+/** Sets the size to that of an image. */
 void SetSizeFrom(Camera& camera, const fs::path& picture)
 {
   const PictureSize size = ReadPictureSize(picture);
@@ -126,7 +126,7 @@ ResolvedView ResolveFile(const ViewSpec& spec, const DatasetIndex& dataset)
   {
     view.Truth = found;
   }
-  // A camera of the data set's own calibration: its photograph is the truth, so nobody sees it.
+  // A camera of the data set's own calibration: its photograph is the truth, so no stage uses it.
   for (const Photograph& own : dataset.Cameras)
   {
     if (!view.Truth.File.empty() && fs::exists(own.File, failure) &&
@@ -163,7 +163,7 @@ ViewSpec ParseViewSpec(const std::string& text)
   }
   if (kind != "like" || rest.empty())
   {
-    Refuse(text, "is no view");
+    Refuse(text, "is not a view");
   }
   ViewSpec spec;
   spec.What = ViewSpec::Kind::Like;

@@ -18,7 +18,7 @@ namespace novelview
  *                       on their orbit; A and B are names of photographs or numbers from 0
  *     like:IMAGE        the camera of a photograph, which is held out of every stage and is the
  *                       truth to compare with
- *     file:PAR.txt#NAME a camera of a calibration file of any format; a picture NAME beside it is
+ *     file:PAR.txt#NAME a camera of a calibration file of any format; an image NAME beside it is
  *                       the truth
  */
 struct ViewSpec
@@ -50,14 +50,14 @@ WordTarget ViewTarget(ViewSpec& view);
 /** A novel view, ready to be made. */
 struct ResolvedView
 {
-  Camera Cam;          ///< with its picture's size
+  Camera Cam;          ///< with its image's size
   std::string HeldOut; ///< photograph that no stage may see; empty = none
-  Photograph Truth;    ///< picture to compare with; File is empty when none is known
+  Photograph Truth;    ///< image to compare with; File is empty when none is known
 };
 
 /**
- * Looks the cameras of a view up. The picture's size is that of the photograph A, of IMAGE, of the
- * picture NAME or, where there is none, of the first photograph of the data set. Throws UsageError
+ * Looks the cameras of a view up. The image's size is that of the photograph A, of IMAGE, of the
+ * image NAME or, where there is none, of the first photograph of the data set. Throws UsageError
  * when a name or number is unknown.
  */
 ResolvedView ResolveViewSpec(const ViewSpec& spec, const DatasetIndex& dataset);

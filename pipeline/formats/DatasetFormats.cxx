@@ -78,7 +78,7 @@ FoundCalibration ChooseCalibration(
         return { &each, calibration };
       }
     }
-    throw Error(calibration.string(), "is no calibration that can be told by its name");
+    throw Error(calibration.string(), "is not a calibration that is recognised by its name");
   }
   const std::vector<FoundCalibration> found = CalibrationsIn(folder, format);
   if (found.size() == 1)

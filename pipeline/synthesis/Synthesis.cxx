@@ -23,7 +23,7 @@ std::string Pixels(double length)
   return Formatted("%.1f px", length);
 }
 
-/** A picture without a single pixel of the object is nothing to hand out silently. */
+/** An image without a single pixel of the object is nothing to hand out silently. */
 void RequireObject(vtkImageData* image)
 {
   const auto mask = TopDownArray<const unsigned char>(image, arrays::Mask, 1, "novel view", true);
@@ -102,7 +102,7 @@ public:
     {
       return this->Kept->Views;
     }
-    // Without depth maps nothing has asked for them yet.
+    // Without depth maps they have not been computed yet.
     vtkAlgorithm* source = this->Filters.Mapper->GetInputAlgorithm(1, 0);
     source->Update();
     return vtkMultiBlockDataSet::SafeDownCast(source->GetOutputDataObject(0));
@@ -189,7 +189,7 @@ private:
     }
   }
 
-  /** Whether the cache has it all; looks there once. */
+  /** Whether the cache has all results; reads it once. */
   bool Load()
   {
     if (!this->Kept && this->Cache && !this->Looked)
@@ -253,16 +253,16 @@ private:
   }
 
   /**
-   * Tells what is wrong with the cache, which no run needs: once, since an entry that cannot be read
+   * Reports problems of the cache, which no run needs: once, since an entry that cannot be read
    * often cannot be written either, and none of the warnings that are kept.
    */
   void WarnOfCache(const std::string& text)
   {
-    if (!this->ToldOfCache && this->Listener.Warn)
+    if (!this->WarnedOfCache && this->Listener.Warn)
     {
       this->Listener.Warn("cache: " + text);
     }
-    this->ToldOfCache = true;
+    this->WarnedOfCache = true;
   }
 
   void RunHull()
@@ -281,9 +281,9 @@ private:
       this->Filters.Mesher->SetInputData(this->HullOfCrust);
     }
     if (const int dropped = this->Filters.HullSource->GetNumberOfDroppedComponents();
-        dropped > 0 && !this->ToldOfDropped)
+        dropped > 0 && !this->WarnedOfDropped)
     {
-      this->ToldOfDropped = true;
+      this->WarnedOfDropped = true;
       this->Warn("visual hull: " + std::to_string(dropped) + " smaller component(s) with " +
         std::to_string(this->Filters.HullSource->GetNumberOfDroppedSamples()) +
         " samples left out; all are kept with the option for it");
@@ -308,14 +308,14 @@ private:
     }
   }
 
-  /** Tells once of every silhouette that was enlarged. */
+  /** Reports every enlarged silhouette once. */
   void WarnOfOffsets()
   {
-    if (this->ToldOfOffsets)
+    if (this->WarnedOfOffsets)
     {
       return;
     }
-    this->ToldOfOffsets = true;
+    this->WarnedOfOffsets = true;
     vtkMultiBlockDataSet* views = this->Filters.Reconciler->GetOutput();
     std::vector<double> offsets;
     for (unsigned int viewId = 0; viewId < views->GetNumberOfBlocks(); ++viewId)
@@ -346,7 +346,7 @@ private:
   vtkSmartPointer<vtkImageData> Textured(vtkPolyData* mesh, const char* stage)
   {
     this->Filters.Mapper->SetInputData(0, mesh);
-    // Pictures taken between iterations are part of their stage, and not told of.
+    // Images between iterations are part of their stage and are not reported.
     stage ? this->Run(stage, this->Filters.Mapper) : RunStage("texture", this->Filters.Mapper);
     auto image = vtkSmartPointer<vtkImageData>::New();
     image->ShallowCopy(this->Filters.Mapper->GetOutput());
@@ -410,9 +410,9 @@ private:
   bool Looked = false;
   bool Stored = false;
   std::vector<std::string> Warnings;
-  bool ToldOfCache = false;
-  bool ToldOfDropped = false;
-  bool ToldOfOffsets = false;
+  bool WarnedOfCache = false;
+  bool WarnedOfDropped = false;
+  bool WarnedOfOffsets = false;
 };
 
 Synthesis::Synthesis(

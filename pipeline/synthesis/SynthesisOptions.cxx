@@ -33,7 +33,7 @@ Option StageOption(Stage& upTo)
         return;
       }
     }
-    throw UsageError(where, "is no stage", "'" + word + "'", range);
+    throw UsageError(where, "is not a stage", "'" + word + "'", range);
   };
   target.Get = [&upTo](const PathMap&) { return StageName(upTo); };
   return { "stage", "how far the geometry is refined", "", "Method", target };
@@ -89,9 +89,8 @@ OptionTable OptionsOf(SynthesisOptions& options)
   const char* const depth = "Depth maps";
   const char* const texture = "Texture mapper";
   return {
-    OfView(
-      { "preset", "defaults of all stage options: the paper's, or what gives the best pictures", "",
-        "Method", &options.Preset, -Unlimited, Unlimited, { "best", "paper" } }),
+    OfView({ "preset", "defaults of all stage options: the paper's, or those with the best images",
+      "", "Method", &options.Preset, -Unlimited, Unlimited, { "best", "paper" } }),
     OfView({ "cache",
       "folder that keeps hull, crust and depth maps for further runs on the same photographs", "",
       "Method", &options.Cache }),
@@ -99,35 +98,36 @@ OptionTable OptionsOf(SynthesisOptions& options)
       &options.ReconcileSilhouettes },
     ParameterOption("hullSpacing", "distance between surface samples, in the photographs", hull,
       &options.Hull.SpacingPx, VisualHullOptions::SpacingPxParameter),
-    { "hullBox", "search box x0,y0,z0,x1,y1,z1; found from the silhouettes when not given",
+    { "hullBox", "search box x0,y0,z0,x1,y1,z1; computed from the silhouettes if not given",
       "world units", hull, &options.Hull.Box },
     { "hullKeepAll", "keep every component, not only the largest", "", hull,
       &options.Hull.KeepAllComponents },
     OfView(ParameterOption("longestEdge",
-      "cut longer edges of what the novel camera sees at their middle, once; 0 = leave all whole",
+      "split longer edges of what the novel camera sees at their midpoints, once; 0 = none",
       "Visibility culler", &options.Culler.LongestEdgePx,
       VisibilityOptions::LongestEdgePxParameter)),
-    OfView(ParameterOption("outlineIterations", "most rounds of moves", outline,
+    OfView(ParameterOption("outlineIterations", "maximum number of iterations", outline,
       &options.Outline.Iterations, IterationsParameter)),
     OfView(ParameterOption("outlineAlpha", "weight of the contour energy", outline,
       &options.Outline.Alpha, OutlineOptions::AlphaParameter)),
     OfView(ParameterOption("outlineBeta", "weight of the smoothness energy", outline,
       &options.Outline.Beta, OutlineOptions::BetaParameter)),
-    OfView(ParameterOption("outlineSearch", "how far to either side a point may look", outline,
+    OfView(ParameterOption("outlineSearch", "search range of a point, to either side", outline,
       &options.Outline.SearchPx, OutlineOptions::SearchPxParameter)),
-    OfView(ParameterOption("nonOutlineIterations", "most rounds of moves", nonOutline,
+    OfView(ParameterOption("nonOutlineIterations", "maximum number of iterations", nonOutline,
       &options.NonOutline.Iterations, IterationsParameter)),
     OfView(ParameterOption("nonOutlineAlpha", "weight of the smoothness energy", nonOutline,
       &options.NonOutline.Alpha, NonOutlineOptions::AlphaParameter)),
     { "depthMaps",
-      "find the surface by a depth map in every photograph, not by the paper's energies", "", depth,
-      &options.UseDepthMaps },
+      "locate the surface by a depth map for every photograph, not by the paper's energies", "",
+      depth, &options.UseDepthMaps },
     OfView(ParameterOption("silhouettePrior",
-      "weight of 'object' against the depth maps' votes at the outline; 0 = found from the data",
+      "weight of 'object' against the depth maps' votes at the outline; 0 = estimated from the "
+      "data",
       depth, &options.DepthMaps.SilhouettePrior, DepthMapOptions::SilhouettePriorParameter)),
     OfView(ParameterOption("depthNoise",
-      "by how much the depth maps are off: how finely they are followed; 0 = measured", depth,
-      &options.DepthMaps.DepthNoise, DepthMapOptions::DepthNoiseParameter)),
+      "error of the depth maps, which determines how closely they are followed; 0 = measured",
+      depth, &options.DepthMaps.DepthNoise, DepthMapOptions::DepthNoiseParameter)),
     OfView({ "contourPrediction",
       "refine the outline by the contour interpolated from the photographs' contours", "", depth,
       &options.DepthMaps.UsePrediction }),
@@ -148,8 +148,8 @@ OptionTable OptionsOf(SynthesisOptions& options)
         "no antialiasing",
         texture, &options.Texture.BoundarySamples, TextureOptions::BoundarySamplesParameter))),
     Formerly("softRim",
-      OfView({ "softBoundary", "draw also pixels of which less than half is covered; for films", "",
-        texture, &options.Texture.SoftBoundary })),
+      OfView({ "softBoundary", "draw also pixels of which less than half is covered; for videos",
+        "", texture, &options.Texture.SoftBoundary })),
   };
 }
 }

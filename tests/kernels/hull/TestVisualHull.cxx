@@ -157,7 +157,7 @@ TEST(VisualHull, SamplesOfOneSurfaceKeepTheirDistance)
       }
     }
   }
-  // A sphere of so many spacings' radius, at one sample per 0.7 x 0.7 at the densest.
+  // A sphere whose radius is this many spacings, at one sample per 0.7 x 0.7 at the densest.
   const double area = 4 * 3.1416 * Radius * Radius / (hull.Spacing * hull.Spacing);
   EXPECT_LT(points.size(), area / 0.49);
   EXPECT_GT(points.size(), area / 2) << "and more than half of one per spacing squared stay";

@@ -113,12 +113,13 @@ TEST(Job, BadValuesOnTheCommandLineAreNamed)
   const auto expect =
     [](const std::string& key, const std::vector<std::string>& words, const auto&... parts)
   { ExpectError([&] { MakeRunOptions("bunny", With(key, words)); }, parts...); };
-  expect("hullSpacing", { "two" }, "--hull-spacing", "is no number", "'two'");
+  expect("hullSpacing", { "two" }, "--hull-spacing", "is not a number", "'two'");
   expect("hullSpacing", { "0" }, "--hull-spacing", "out of range", "got 0", "0.25 to 64");
   expect("hullSpacing", { "nan" }, "--hull-spacing", "out of range");
-  expect("references", { "2.5" }, "--references", "no whole number", "'2.5'");
+  expect("references", { "2.5" }, "--references", "not a whole number", "'2.5'");
   expect("hullBox", { "1", "2" }, "--hull-box", "got 2 numbers, expected 6");
-  expect("hullBox", { "1", "0", "0", "0", "1", "1" }, "--hull-box", "is no box", "got 1,0,0,0,1,1");
+  expect(
+    "hullBox", { "1", "0", "0", "0", "1", "1" }, "--hull-box", "is not a box", "got 1,0,0,0,1,1");
   expect("hullKeepAll", { "yes" }, "--hull-keep-all", "true or false");
   expect("stage", { "mesh" }, "--stage", "'mesh'", "hull, outline, full");
   expect("preset", { "bst" }, "--preset", "'bst'", "best, paper");
@@ -207,7 +208,7 @@ TEST(Job, BadJobFilesAreNamed)
   expect(R"({"dataset": "d", "hullBox": [1, 2]})", "key \"hullBox\"", "an array of 6 numbers");
   expect(R"({"dataset": "d", "preset": "quick"})", "best, paper");
   expect(R"({"dataset": "d", "power": 1, "power": 2})", "key \"power\" is there twice");
-  expect(R"({"dataset": "d",)", "is no JSON");
+  expect(R"({"dataset": "d",)", "is not JSON");
   expect(R"([1])", "got array, expected a JSON object");
   expect(R"({"power": 1})", "no data set given");
 }

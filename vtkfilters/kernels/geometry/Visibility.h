@@ -19,7 +19,7 @@ namespace novelview
  * `tolerance` times the diagonal of the mesh's bounding box.
  *
  * Vertices at or behind the camera's plane are invisible; a triangle with such a corner hides
- * nothing. Nothing is said of the frame: a vertex may be visible and outside the picture.
+ * nothing. The frame is ignored: a vertex may be visible and outside the image.
  *
  * Computed exactly by the definition: vertices are compared with just those triangles whose
  * projection overlaps theirs, found in a grid over the image plane. n log n, not n^2.

@@ -14,9 +14,9 @@ namespace novelview
  * By how many pixels each silhouette is too small, judged by all others; 0 in a set that agrees.
  *
  * The ray through a pixel at the edge of one silhouette touches the object, so that somewhere along
- * it every other silhouette should say "inside". Where the best such point lies outside just one,
- * by e pixels, that one is blamed. A silhouette that is blamed by far more rays than others are is
- * too small by the ninth decile of its e.
+ * it every other silhouette should contain it. Where the best such point lies outside just one,
+ * by e pixels, that one is the outlier. A silhouette that is the outlier of far more rays than
+ * others is too small by the ninth decile of its e.
  *
  * The intersection of silhouettes forgives one that is too large, and never one that is too small.
  * Where masks or cameras are off by a little in all views, it is therefore too small everywhere; half
@@ -24,7 +24,7 @@ namespace novelview
  * back to all.
  *
  * Views need Mask and ContourDistance. All 0 when the silhouettes bound no box (FindSearchBox);
- * whoever needs the box reports that.
+ * the code that needs the box reports that.
  */
 std::vector<double> FindContourOffsets(const std::vector<View>& views,
   const ConsistencyOptions& options = {}, const Execution& execution = {});
