@@ -47,7 +47,7 @@ struct PowerCrustResult
  *     Voronoi vertices follow the one whose ball theirs agrees with best (PropagateLabels).
  *  4. PowerCrust: the power diagram of the polar balls (radius = distance to the sample); its faces
  *     between inside and outside, triangulated.
- *     DelaunayCrust: small pieces are dropped; tetrahedra are turned over where the boundary is not
+ *     DelaunayCrust: small components are dropped; tetrahedra are relabelled where the boundary is not
  *     manifold; samples just off the surface are brought back; the boundary of the inside
  *     tetrahedra is extracted, and what is still not manifold is split.
  *
