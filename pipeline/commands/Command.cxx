@@ -81,6 +81,7 @@ Command Shared(const char* name, const char* help,
                      const fs::path& dataset, const ParsedArguments& given, CommandContext& context)
   {
     const Options options = make(dataset, given, WarnOn(context.Out));
+    LimitThreads(options.Threads);
     work(options, context.Out, context.StartProcesses(options.RankTimeoutSeconds));
     return ExitCode::Ok;
   };

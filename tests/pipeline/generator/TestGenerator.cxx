@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/NumberText.h"
+#include "drawing/SolidTexture.h"
 #include "generator/Generator.h"
 #include "generator/GeneratorRig.h"
 
@@ -371,9 +373,8 @@ TEST_F(Generator, RefusesWrongOptions)
   };
   using Options = GeneratorOptions;
   EXPECT_THAT(message([](Options& o) { o.Texture = "woood"; }),
-    HasSubstr(
-      "generate, texture: is not a valid choice (got 'woood', expected wood, marble, checker, "
-      "plaster, grey)"));
+    HasSubstr("generate, texture: is not a valid choice (got 'woood', expected " +
+      Joined(TextureNames()) + ")"));
   EXPECT_THAT(message([](Options& o) { o.Masks = "some"; }),
     HasSubstr("masks: is not a valid choice (got 'some'"));
   EXPECT_THAT(message([](Options& o) { o.Views = 0; }),
