@@ -4,6 +4,7 @@
 #include "OptionParser.h"
 #include "base/AtomicFile.h"
 #include "base/InputFile.h"
+#include "base/NumberText.h"
 #include "base/UsageError.h"
 #include "options/NearestWord.h"
 
@@ -27,7 +28,7 @@ struct CommonFlags
   void AddTo(CLI::App& command)
   {
     command.add_flag("-q,--quiet", this->Quiet, "warnings and errors only")->group("Program");
-    command.add_flag("-v,--verbose", this->Verbose, "tell details")
+    command.add_flag("-v,--verbose", this->Verbose, "print details")
       ->group("Program")
       ->excludes("--quiet");
     command
@@ -44,7 +45,7 @@ struct CommonFlags
   }
 };
 
-/** The options of a table, but for those that are given otherwise. */
+/** The options of a table, except one that is given in another way. */
 OptionTable Without(OptionTable table, const std::string& key)
 {
   std::erase_if(table, [&key](const Option& option) { return option.Key == key; });
@@ -77,6 +78,26 @@ void AddCommands(CLI::App& app, Parsed& parsed, const std::vector<Command>& comm
   }
 }
 
+/** The commands that the processes of mpirun can share, "render, orbit or evaluate". */
+std::string SharedNames(const std::vector<Command>& commands)
+{
+  std::vector<std::string> names;
+  for (const Command& command : commands)
+  {
+    if (command.Shared)
+    {
+      names.push_back(command.Name);
+    }
+  }
+  if (names.size() < 2)
+  {
+    return Joined(names);
+  }
+  const std::string last = names.back();
+  names.pop_back();
+  return Joined(names) + " or " + last;
+}
+
 /** Runs the command; returns the exit code. */
 int Dispatch(const CLI::App& app, const Parsed& parsed, const std::vector<Command>& commands,
   const ProcessContext& processes, Console& console)
@@ -87,7 +108,7 @@ int Dispatch(const CLI::App& app, const Parsed& parsed, const std::vector<Comman
   if (processes.Count > 1 && !command->Shared)
   {
     throw UsageError(name, "cannot be shared between processes",
-      std::to_string(processes.Count) + " processes", "1, or render, orbit or evaluate");
+      std::to_string(processes.Count) + " processes", "1, or " + SharedNames(commands));
   }
   CommandContext context{ console, processes.Start };
   const OptionParser& options =
@@ -155,7 +176,7 @@ int RunCommandLine(int argc, const char* const* argv, const std::vector<Command>
       return ExitCode::Ok;
     }
     Console(processes.Rank == 0 ? Verbosity::Normal : Verbosity::Silent)
-      .Error(Explanation(app, error, argc, argv) + " (--help tells the options)");
+      .Error(Explanation(app, error, argc, argv) + " (--help lists the options)");
     return ExitCode::Usage;
   }
   catch (const std::exception& error)

@@ -98,7 +98,7 @@ CLI::Option* OptionParser::Add(CLI::App& command, const Option& option, const st
     added->type_name(shape.TypeName)->delimiter(',')->expected(shape.MinWords, shape.MaxWords);
     if (shape.MaxWords == 1)
     {
-      // A view has commas of its own.
+      // A view contains commas itself.
       added->delimiter('\0')->multi_option_policy(CLI::MultiOptionPolicy::Throw);
     }
   }

@@ -13,7 +13,7 @@ namespace novelview
 {
 namespace
 {
-/** Of an exception that nobody has caught. */
+/** For an exception that is not caught. */
 [[noreturn]] void OnTerminate()
 {
   try

@@ -6,7 +6,7 @@ namespace novelview
 {
 /**
  * Makes one line of error and exit code 1 of what is no exception that can be caught: lack of memory
- * (OutOfMemory.h), and exceptions that leave a thread or a destructor. VTK prints nothing of its own.
+ * (OutOfMemory.h), and exceptions that leave a thread or a destructor. VTK itself prints nothing.
  */
 void SetUpProcess();
 }

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs the missing packages of app/packages.txt and configures a build folder. What CMake finds is
-# told only when it fails. Run by app/setup.sh and by the scripts of tests/.
+# printed only if it fails. Run by app/setup.sh and by the scripts of tests/.
 # usage: app/configure.sh BUILD [CMAKE OPTION ...]
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

@@ -20,13 +20,13 @@ namespace
 {
 volatile std::sig_atomic_t StopSignal = SIGINT;
 
-/** The first Ctrl-C, or another signal that ends programs, asks for an orderly stop; the second
+/** The first Ctrl-C, or another signal that ends programs, requests an orderly stop; the second
  * kills. */
 extern "C" void OnStopSignal(int number)
 {
   if (number == SIGTERM && StoodStillTooLong())
   {
-    ::_exit(ExitCode::Stopped + number); // from mpirun, and another process has said why
+    ::_exit(ExitCode::Stopped + number); // from mpirun, and another process has printed the reason
   }
   StopSignal = number;
   Console::Interrupt();
@@ -42,7 +42,7 @@ void HeedSignals()
   {
     if (each != SIGINT && FindLaunchPlace().Rank > 0)
     {
-      continue; // mpirun ends these; the first process says why
+      continue; // mpirun ends these; the first process prints the reason
     }
     if (std::signal(each, OnStopSignal) == SIG_IGN && each == SIGHUP)
     {
@@ -65,7 +65,7 @@ void OpenMissingStreams()
   }
 }
 
-/** Whether all that was told has arrived, which a full disk or a closed pipe may prevent. */
+/** Whether the whole output was written; a full disk or a closed pipe may prevent it. */
 int FlushOutput(int code)
 {
   std::cout.flush();
@@ -95,7 +95,7 @@ public:
     return *this->Processes;
   }
 
-  /** The first process says what went wrong here, and ends all; if it does not, this one does. */
+  /** The first process prints the error and ends all processes; if it does not, this one does. */
   void ReportFailure(const std::string& error)
   {
     if (this->Processes && this->Processes->ReportFailure(error))
@@ -114,7 +114,8 @@ public:
     }
     else if (code != ExitCode::Ok && FindLaunchPlace().Rank > 0)
     {
-      // mpirun ends all when one does; the first process, which fails alike, says why before.
+      // mpirun ends all processes when one ends; the first process fails as well and prints the
+      // reason before.
       std::this_thread::sleep_for(std::chrono::seconds(2));
     }
     return code;

@@ -2,7 +2,7 @@
 # Completion of novelview for bash; zsh takes it after "autoload bashcompinit; bashcompinit".
 # Commands, options and their choices are those that the program's own help names.
 
-_novelview_choices() { # COMMAND OPTION: what its help says in "(a, b, c; default: d)"
+_novelview_choices() { # COMMAND OPTION: what its help states in "(a, b, c; default: d)"
   novelview "$1" --help 2>/dev/null |
     sed -n -e "/^ *\(.*,\)\{0,1\}$2[ ,{]/,/^  -/p" |
     sed -n -e 's/.*(\([^():;.]*, [^():;.]*\)\(; [^()]*\)\{0,1\})$/\1/p' | head -n 1 | tr -d ','

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Makes pages of the doc comments of vtkfilters/ and its kernels, in build/doc (or in
-# $NOVELVIEW_BUILD/doc). Fails when Doxygen minds anything.
+# $NOVELVIEW_BUILD/doc). Fails if Doxygen prints a warning.
 # usage: tests/doc.sh
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Checks that the sources are laid out as .clang-format says; --fix lays them out so. Other versions
+# Checks that the layout of the sources is that of .clang-format; --fix applies it. Other versions
 # of clang-format would do it otherwise: the exit code is 77 (skipped) where there is not this one.
 # usage: tests/format.sh [--fix]
 set -euo pipefail

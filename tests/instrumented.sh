@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Runs the test suite in a build of its own, with code of the compiler's in everything:
+# Runs the test suite in a separate build, with instrumentation by the compiler in everything:
 #   sanitize  AddressSanitizer and UBSan, in build-sanitize/
-#   tsan      ThreadSanitizer, in build-tsan/; tsan.supp says what it may not complain of
+#   tsan      ThreadSanitizer, in build-tsan/; tsan.supp lists what it ignores
 #   coverage  counters, in build-coverage/; prints which lines and branches of each layer have run
 # usage: tests/instrumented.sh sanitize|tsan|coverage [ctest options]
 set -euo pipefail

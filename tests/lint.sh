@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Checks the sources without running them: clang-format, the folders and their includes, shellcheck for
 # scripts, flake8 for Python, and clang-tidy with .clang-tidy for the C++ of vtkfilters, pipeline and app
-# (or of the FILEs or folders that are named). Each prints what it minds; the exit code is 1 when one did.
+# (or of the FILEs or folders that are named). Each prints its findings; the exit code is 1 if there are any.
 # usage: tests/lint.sh [FILE ...]
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/** The names of all arrays that filters read and write. ViewAccess.h and the filters say what they hold. */
+/**
+ * The names of all arrays that filters read and write. ViewAccess.h and the headers of the filters
+ * describe their contents.
+ */
 #ifndef novelview_ArrayNames_h
 #define novelview_ArrayNames_h
 
 namespace novelview::arrays
 {
-// ---- of views and pictures
+// ---- of views and images
 inline constexpr const char* Color = "Color";
 inline constexpr const char* Mask = "Mask";
 inline constexpr const char* ContourDistance = "ContourDistance";

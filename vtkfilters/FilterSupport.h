@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every filter of the module shares: the error route and how kernels run under VTK.
+// Helpers of all filters of the module: errors, and how kernels run under VTK.
 #ifndef novelview_FilterSupport_h
 #define novelview_FilterSupport_h
 
@@ -86,7 +86,7 @@ inline vtkMTimeType MTimeWithCamera(vtkMTimeType own, vtkPinholeCamera* camera)
   return camera ? std::max(own, camera->GetMTime()) : own;
 }
 
-/** The camera as kernels want it, validated; throws when there is none. */
+/** The camera in the form of the kernels, validated; throws when there is none. */
 inline Camera RequireCamera(vtkPinholeCamera* camera)
 {
   if (!camera)
@@ -98,7 +98,7 @@ inline Camera RequireCamera(vtkPinholeCamera* camera)
   return result;
 }
 
-/** The RequestInformation of a filter whose output is the camera's picture; empty without one. */
+/** The RequestInformation of a filter whose output is the camera's image; empty without one. */
 inline void SetPictureInformation(vtkInformationVector* outputs, vtkPinholeCamera* camera)
 {
   vtkInformation* info = outputs->GetInformationObject(0);

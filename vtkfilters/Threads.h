@@ -23,7 +23,7 @@ VTKNOVELVIEWFILTERS_EXPORT void SetNumberOfThreads(int count);
 VTKNOVELVIEWFILTERS_EXPORT int NumberOfThreads();
 
 /**
- * A flag that makes every filter stop in the middle of its work, as AbortExecute does, but for signal
+ * A flag that makes every filter stop in the middle of its work, like AbortExecute, but for signal
  * handlers: it is read by all threads and often. Null (none) by default; must outlive its use.
  */
 VTKNOVELVIEWFILTERS_EXPORT void SetStopFlag(const std::atomic<bool>* flag);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * The data model of the views, and the only place that knows how it is laid out.
+ * The data model of the views, and the only file that depends on its layout.
  *
  * Views are one vtkMultiBlockDataSet with a vtkImageData block per photograph (origin 0, spacing 1,
  * VTK's bottom-up rows; block name = the photograph's name):

@@ -42,10 +42,8 @@ int vtkCameraRefiner::RequestData(
           throw novelview::Error("view " + view.Name, "point array Depth or Confidence is missing");
         }
       }
-      novelview::CameraRefinementOptions options;
-      options.MinGain = this->MinGain;
       const novelview::CameraRefinement refinement =
-        novelview::RefineCameras(views, options, novelview::ExecutionFor(this));
+        novelview::RefineCameras(views, this->Options, novelview::ExecutionFor(this));
       this->Refined = refinement.Accepted;
       this->ErrorBefore = refinement.ErrorBeforePx;
       this->ErrorAfter = refinement.ErrorAfterPx;
@@ -65,7 +63,7 @@ int vtkCameraRefiner::RequestData(
 void vtkCameraRefiner::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "MinGain: " << this->MinGain << "\n";
+  this->PrintOptions(os, indent);
   os << indent << "Refined: " << (this->Refined ? "yes" : "no") << "\n";
   os << indent << "ErrorBefore: " << this->ErrorBefore << "\n";
   os << indent << "ErrorAfter: " << this->ErrorAfter << "\n";

@@ -29,7 +29,8 @@
 #ifndef vtkCameraRefiner_h
 #define vtkCameraRefiner_h
 
-#include "calibration/CalibrationParameters.h"
+#include "FilterOptions.h"
+#include "calibration/CameraRefinementOptions.h"
 #include "vtkNovelViewFiltersModule.h"
 #include <vtkMultiBlockDataSetAlgorithm.h>
 
@@ -40,14 +41,15 @@ public:
   vtkTypeMacro(vtkCameraRefiner, vtkMultiBlockDataSetAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /** All options of the kernel. */
+  vtkFilterOptionsMacro(novelview::CameraRefinementOptions);
+
   ///@{
   /**
    * The share by which the error of tracks that take no part has to fall. Default 0.05, range 0 to
    * 1.
    */
-  vtkSetClampMacro(MinGain, double, novelview::CalibrationParameters::MinGain.Min,
-    novelview::CalibrationParameters::MinGain.Max);
-  vtkGetMacro(MinGain, double);
+  vtkFilterOptionMacro(MinGain, double, MinGain);
   ///@}
 
   ///@{
@@ -64,7 +66,6 @@ protected:
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
-  double MinGain = novelview::CalibrationParameters::MinGain.Default;
   bool Refined = false;
   double ErrorBefore = 0;
   double ErrorAfter = 0;

@@ -16,12 +16,8 @@ void vtkNonOutlineDeformer::Deform(const Work& work)
   {
     active[ptId] = active[ptId] && !work.Outline[ptId];
   }
-  novelview::NonOutlineOptions options;
-  options.Alpha = this->SmoothWeight;
+  novelview::NonOutlineOptions options = this->Options;
   options.Iterations = this->NumberOfIterations;
-  options.SearchPx = this->SearchRange;
-  options.WindowRadius = this->WindowRadius;
-  options.MatchRangePx = this->MatchRange;
   novelview::DeformNonOutline(
     work.Mesh, active, work.Views, work.Camera, options, work.Listener, work.Execution);
 }
@@ -30,8 +26,5 @@ void vtkNonOutlineDeformer::Deform(const Work& work)
 void vtkNonOutlineDeformer::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "SmoothWeight: " << this->SmoothWeight << "\n";
-  os << indent << "SearchRange: " << this->SearchRange << "\n";
-  os << indent << "WindowRadius: " << this->WindowRadius << "\n";
-  os << indent << "MatchRange: " << this->MatchRange << "\n";
+  this->PrintOptions(os, indent);
 }

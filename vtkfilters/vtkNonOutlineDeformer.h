@@ -4,8 +4,8 @@
  * @brief Moves the visible points that are no outline points along their viewing rays.
  *
  * Every visible point moves only on the line L through itself and the novel camera's centre, so
- * faces never cross in the novel picture and concavities can open. In each iteration it goes to the
- * least, within SearchRange, of
+ * faces never cross in the novel view and concavities can open. In each iteration it moves to
+ * the minimum, within SearchRange, of
  *
  *     E        = beta E_s + (1 - beta) E_vh + SmoothWeight E_r      [6]
  *     beta E_s = mean over the secondaries of w_k |P_sub,k - P|     [7]
@@ -33,7 +33,8 @@
 #ifndef vtkNonOutlineDeformer_h
 #define vtkNonOutlineDeformer_h
 
-#include "deformation/DeformationParameters.h"
+#include "FilterOptions.h"
+#include "deformation/DeformationOptions.h"
 #include "vtkViewDeformer.h"
 
 class VTKNOVELVIEWFILTERS_EXPORT vtkNonOutlineDeformer : public vtkViewDeformer
@@ -43,32 +44,27 @@ public:
   vtkTypeMacro(vtkNonOutlineDeformer, vtkViewDeformer);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /** All options of the kernel; NumberOfIterations replaces Iterations. */
+  vtkFilterOptionsMacro(novelview::NonOutlineOptions);
+
   ///@{
   /** alpha of [6], weight of the smoothness energy. Default 0.3, range 0 to 100. */
-  vtkSetClampMacro(SmoothWeight, double, novelview::NonOutlineParameters::Alpha.Min,
-    novelview::NonOutlineParameters::Alpha.Max);
-  vtkGetMacro(SmoothWeight, double);
+  vtkFilterOptionMacro(SmoothWeight, double, Alpha);
   ///@}
 
   ///@{
   /** How far a point may move in one iteration, pixel footprints. Default 12, range 0.25 to 100. */
-  vtkSetClampMacro(SearchRange, double, novelview::NonOutlineParameters::SearchPx.Min,
-    novelview::NonOutlineParameters::SearchPx.Max);
-  vtkGetMacro(SearchRange, double);
+  vtkFilterOptionMacro(SearchRange, double, SearchPx);
   ///@}
 
   ///@{
   /** Radius of the matching windows, input pixels. Default 5 (11x11), range 1 to 7. */
-  vtkSetClampMacro(WindowRadius, int, novelview::NonOutlineParameters::WindowRadius.Min,
-    novelview::NonOutlineParameters::WindowRadius.Max);
-  vtkGetMacro(WindowRadius, int);
+  vtkFilterOptionMacro(WindowRadius, int, WindowRadius);
   ///@}
 
   ///@{
   /** Search range along the epipolar line, each way, input pixels. Default 24, range 0 to 64. */
-  vtkSetClampMacro(MatchRange, int, novelview::NonOutlineParameters::MatchRangePx.Min,
-    novelview::NonOutlineParameters::MatchRangePx.Max);
-  vtkGetMacro(MatchRange, int);
+  vtkFilterOptionMacro(MatchRange, int, MatchRangePx);
   ///@}
 
 protected:
@@ -77,11 +73,6 @@ protected:
   void Deform(const Work& work) override;
   const char* ContourArrayName() const override { return novelview::arrays::EnergyHull; }
   bool MovesOutline() const override { return false; }
-
-  double SmoothWeight = novelview::NonOutlineParameters::Alpha.Default;
-  double SearchRange = novelview::NonOutlineParameters::SearchPx.Default;
-  int WindowRadius = novelview::NonOutlineParameters::WindowRadius.Default;
-  int MatchRange = novelview::NonOutlineParameters::MatchRangePx.Default;
 
 private:
   vtkNonOutlineDeformer(const vtkNonOutlineDeformer&) = delete;

@@ -8,7 +8,7 @@
  * top-left pixel; depth = z in the camera frame. All matrices are row-major arrays of 9.
  *
  * K must be upper triangular with K[8] = 1 and positive focal lengths, R a rotation; the filters
- * that are given the camera check that and say what is wrong.
+ * that use the camera verify this and report violations.
  */
 #ifndef vtkPinholeCamera_h
 #define vtkPinholeCamera_h
@@ -44,7 +44,7 @@ public:
   ///@}
 
   ///@{
-  /** Width and height of the picture in pixels. Default: 0 0, which is no picture. */
+  /** Width and height of the image in pixels. Default: 0 0, which is not an image. */
   vtkSetVector2Macro(ImageSize, int);
   vtkGetVector2Macro(ImageSize, int);
   ///@}
@@ -63,7 +63,7 @@ public:
   void CopyToVTKCamera(vtkCamera* camera, double nearDepth, double farDepth);
 
   /**
-   * Takes over position, orientation and view angle of a (perspective) vtkCamera for a picture of
+   * Takes over position, orientation and view angle of a (perspective) vtkCamera for an image of
    * this size. Square pixels, principal point in the middle of the frame.
    */
   void CopyFromVTKCamera(vtkCamera* camera, int width, int height);

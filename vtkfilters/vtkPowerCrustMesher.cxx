@@ -68,7 +68,7 @@ void PackMesh(const novelview::TriangleMesh& mesh, vtkPolyData* output)
   output->SetPolys(triangles);
 }
 
-/** Copies the samples' point data to the surface's points and says which sample each is. */
+/** Copies the samples' point data to the surface's points, with the id of each sample. */
 void PackPointData(const std::vector<int>& sources, vtkPolyData* input, vtkPolyData* output)
 {
   const vtkIdType count = static_cast<vtkIdType>(sources.size());
@@ -142,11 +142,9 @@ int vtkPowerCrustMesher::RequestData(
       const std::vector<Eigen::Vector3d> normals =
         useNormals ? UnpackNormals(normalArray) : std::vector<Eigen::Vector3d>();
 
-      novelview::PowerCrustOptions options;
+      novelview::PowerCrustOptions options = this->Options;
       options.Output = this->OutputType == PowerCrust ? novelview::CrustOutput::PowerCrust
                                                       : novelview::CrustOutput::DelaunayCrust;
-      options.MinimumComponentSamples = this->MinimumComponentSamples;
-      options.RecoverSamples = this->RecoverSamples;
       const novelview::PowerCrustResult result = novelview::ComputePowerCrust(
         points, useNormals ? &normals : nullptr, options, novelview::ExecutionFor(this));
 
@@ -164,9 +162,8 @@ int vtkPowerCrustMesher::RequestData(
 void vtkPowerCrustMesher::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  this->PrintOptions(os, indent);
   os << indent
      << "OutputType: " << (this->OutputType == PowerCrust ? "PowerCrust" : "DelaunayCrust") << "\n";
   os << indent << "UseNormals: " << (this->UseNormals ? "on" : "off") << "\n";
-  os << indent << "MinimumComponentSamples: " << this->MinimumComponentSamples << "\n";
-  os << indent << "RecoverSamples: " << (this->RecoverSamples ? "on" : "off") << "\n";
 }

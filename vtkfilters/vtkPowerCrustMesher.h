@@ -4,7 +4,7 @@
  * @brief A closed, oriented, manifold surface of points sampled on an object.
  *
  * Input 0: vtkPolyData, the samples (n points; cells are ignored). Optional point normals, outward,
- * of any length, help to tell inside from outside where the sampling is poor.
+ * of any length, help to distinguish inside from outside where the sampling is sparse.
  *
  * Output 0: vtkPolyData, triangles counter-clockwise seen from outside.
  *   DelaunayCrust: the points are samples, and carry the input's point data (Normals, ...).
@@ -24,7 +24,7 @@
  * those of poles by their label, others by the ball they agree with best.
  *
  * The surface is always closed, oriented and edge- and vertex-manifold. PowerCrust is by
- * construction. DelaunayCrust is repaired: tetrahedra around irregular samples are turned over, on
+ * construction. DelaunayCrust is repaired: tetrahedra around irregular samples are relabelled, on
  * the side where that costs less volume; what remains is cut apart, by doubling points and, rarely,
  * by adding the midpoint of an edge.
  *
@@ -44,7 +44,8 @@
 #ifndef vtkPowerCrustMesher_h
 #define vtkPowerCrustMesher_h
 
-#include "crust/PowerCrustParameters.h"
+#include "FilterOptions.h"
+#include "crust/PowerCrustOptions.h"
 #include "vtkNovelViewFiltersModule.h"
 #include <vtkPolyDataAlgorithm.h>
 
@@ -54,6 +55,9 @@ public:
   static vtkPowerCrustMesher* New();
   vtkTypeMacro(vtkPowerCrustMesher, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /** All options of the kernel; OutputType replaces Output. */
+  vtkFilterOptionsMacro(novelview::PowerCrustOptions);
 
   enum OutputTypes
   {
@@ -81,17 +85,12 @@ public:
    * DelaunayCrust only: pieces and cavities with fewer samples than this are dropped as noise; the
    * largest piece stays. 0 keeps all. Default 20, range 0 to 2147483647.
    */
-  vtkSetClampMacro(MinimumComponentSamples, int,
-    novelview::PowerCrustParameters::MinimumComponentSamples.Min,
-    novelview::PowerCrustParameters::MinimumComponentSamples.Max);
-  vtkGetMacro(MinimumComponentSamples, int);
+  vtkFilterOptionMacro(MinimumComponentSamples, int, MinimumComponentSamples);
   ///@}
 
   ///@{
   /** DelaunayCrust only: bring samples just off the surface onto it. Default on. */
-  vtkSetMacro(RecoverSamples, bool);
-  vtkGetMacro(RecoverSamples, bool);
-  vtkBooleanMacro(RecoverSamples, bool);
+  vtkFilterSwitchMacro(RecoverSamples, RecoverSamples);
   ///@}
 
   /** The polar balls, output 1. */
@@ -106,8 +105,6 @@ protected:
 
   int OutputType = DelaunayCrust;
   bool UseNormals = true;
-  int MinimumComponentSamples = novelview::PowerCrustParameters::MinimumComponentSamples.Default;
-  bool RecoverSamples = novelview::PowerCrustParameters::RecoverSamples;
 
 private:
   vtkPowerCrustMesher(const vtkPowerCrustMesher&) = delete;

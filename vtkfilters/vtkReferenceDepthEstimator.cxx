@@ -35,7 +35,7 @@ int vtkReferenceDepthEstimator::FillInputPortInformation(int port, vtkInformatio
 
 namespace
 {
-/** What the maps tell about each other: noise, prior of the outline, exposures. */
+/** Comparisons of the maps: noise, prior of the outline, exposures. */
 void AttachComparisons(vtkMultiBlockDataSet* output, const novelview::TriangleMesh& hull,
   const novelview::Execution& execution)
 {
@@ -76,13 +76,8 @@ int vtkReferenceDepthEstimator::RequestData(
       const novelview::TriangleMesh hull =
         novelview::ToTriangleMesh(vtkPolyData::GetData(inputs[1]), "hull");
 
-      novelview::ReferenceDepthOptions options;
-      options.Neighbours = this->Neighbours;
-      options.CoarseLastPx = this->SearchDepth;
-      options.Match.WindowRadius = this->WindowRadius;
-      options.Match.ColorShare = this->ColorShare;
-      auto depths =
-        novelview::EstimateReferenceDepths(views, hull, options, novelview::ExecutionFor(this));
+      auto depths = novelview::EstimateReferenceDepths(
+        views, hull, this->Options, novelview::ExecutionFor(this));
 
       vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputs);
       for (unsigned int viewId = 0; viewId < views.size(); ++viewId)
@@ -102,8 +97,5 @@ int vtkReferenceDepthEstimator::RequestData(
 void vtkReferenceDepthEstimator::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Neighbours: " << this->Neighbours << "\n";
-  os << indent << "SearchDepth: " << this->SearchDepth << "\n";
-  os << indent << "WindowRadius: " << this->WindowRadius << "\n";
-  os << indent << "ColorShare: " << this->ColorShare << "\n";
+  this->PrintOptions(os, indent);
 }

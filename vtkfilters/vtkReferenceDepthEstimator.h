@@ -34,7 +34,8 @@
 #ifndef vtkReferenceDepthEstimator_h
 #define vtkReferenceDepthEstimator_h
 
-#include "stereo/ReferenceDepthParameters.h"
+#include "FilterOptions.h"
+#include "stereo/ReferenceDepthOptions.h"
 #include "vtkNovelViewFiltersModule.h"
 #include <vtkMultiBlockDataSetAlgorithm.h>
 
@@ -45,25 +46,22 @@ public:
   vtkTypeMacro(vtkReferenceDepthEstimator, vtkMultiBlockDataSetAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /** All options of the kernel. */
+  vtkFilterOptionsMacro(novelview::ReferenceDepthOptions);
+
   ///@{
   /** Neighbouring photographs each is matched with. Default 4, range 1 to 16. */
-  vtkSetClampMacro(Neighbours, int, novelview::ReferenceDepthParameters::Neighbours.Min,
-    novelview::ReferenceDepthParameters::Neighbours.Max);
-  vtkGetMacro(Neighbours, int);
+  vtkFilterOptionMacro(Neighbours, int, Neighbours);
   ///@}
 
   ///@{
   /** How deep behind the hull's front is searched, pixel footprints. Default 150, range 4 to 1000. */
-  vtkSetClampMacro(SearchDepth, double, novelview::ReferenceDepthParameters::CoarseLastPx.Min,
-    novelview::ReferenceDepthParameters::CoarseLastPx.Max);
-  vtkGetMacro(SearchDepth, double);
+  vtkFilterOptionMacro(SearchDepth, double, CoarseLastPx);
   ///@}
 
   ///@{
   /** Radius of the matching windows, pixels. Default 2 (5x5), range 1 to 5. */
-  vtkSetClampMacro(WindowRadius, int, novelview::ReferenceDepthParameters::WindowRadius.Min,
-    novelview::ReferenceDepthParameters::WindowRadius.Max);
-  vtkGetMacro(WindowRadius, int);
+  vtkFilterOptionMacro(WindowRadius, int, Match.WindowRadius);
   ///@}
 
   ///@{
@@ -71,9 +69,7 @@ public:
    * Share of the colour difference in the matching cost; the rest is correlation. Default 0.5,
    * range 0 to 1.
    */
-  vtkSetClampMacro(ColorShare, double, novelview::ReferenceDepthParameters::ColorShare.Min,
-    novelview::ReferenceDepthParameters::ColorShare.Max);
-  vtkGetMacro(ColorShare, double);
+  vtkFilterOptionMacro(ColorShare, double, Match.ColorShare);
   ///@}
 
 protected:
@@ -82,11 +78,6 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
-
-  int Neighbours = novelview::ReferenceDepthParameters::Neighbours.Default;
-  double SearchDepth = novelview::ReferenceDepthParameters::CoarseLastPx.Default;
-  int WindowRadius = novelview::ReferenceDepthParameters::WindowRadius.Default;
-  double ColorShare = novelview::ReferenceDepthParameters::ColorShare.Default;
 
 private:
   vtkReferenceDepthEstimator(const vtkReferenceDepthEstimator&) = delete;

@@ -42,11 +42,8 @@ int vtkSilhouetteReconciler::RequestData(
       novelview::ViewNeeds needs;
       needs.ContourDistance = true;
       const std::vector<novelview::View> views = novelview::ReadViews(input, needs);
-      novelview::ConsistencyOptions options;
-      options.MinPx = this->MinOffset;
-      options.MinShare = this->MinShare;
       const std::vector<double> offsets =
-        novelview::FindContourOffsets(views, options, novelview::ExecutionFor(this));
+        novelview::FindContourOffsets(views, this->Options, novelview::ExecutionFor(this));
       vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputs);
       for (unsigned int viewId = 0; viewId < views.size(); ++viewId)
       {
@@ -66,6 +63,5 @@ int vtkSilhouetteReconciler::RequestData(
 void vtkSilhouetteReconciler::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "MinOffset: " << this->MinOffset << "\n";
-  os << indent << "MinShare: " << this->MinShare << "\n";
+  this->PrintOptions(os, indent);
 }

@@ -4,10 +4,10 @@
  * @brief Enlarges silhouettes that are too small for the others.
  *
  * The visual hull believes every silhouette: one that a threshold has eaten into by two pixels takes
- * these two pixels off the object for good. The rays through the edge of each silhouette tell whether
- * another one stands against them (SilhouetteConsistency.h); one that does far more often than the
- * rest is enlarged by as much as they ask for. Where all disagree by a little, as with cameras that
- * are off by a pixel, all are enlarged by a fraction of one.
+ * these two pixels off the object for good. The rays through the edge of each silhouette show
+ * whether another one stands against them (SilhouetteConsistency.h); one that does far more often
+ * than the rest is enlarged by as much as they require. Where all disagree by a little, as with
+ * cameras that are off by a pixel, all are enlarged by a fraction of one.
  *
  * Ports:
  *  - in 0: vtkMultiBlockDataSet, the views (see ViewAccess.h) with `Mask` and `ContourDistance`.
@@ -22,7 +22,8 @@
 #ifndef vtkSilhouetteReconciler_h
 #define vtkSilhouetteReconciler_h
 
-#include "silhouettes/ConsistencyParameters.h"
+#include "FilterOptions.h"
+#include "silhouettes/ConsistencyOptions.h"
 #include "vtkNovelViewFiltersModule.h"
 #include <vtkMultiBlockDataSetAlgorithm.h>
 
@@ -33,18 +34,17 @@ public:
   vtkTypeMacro(vtkSilhouetteReconciler, vtkMultiBlockDataSetAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /** All options of the kernel. */
+  vtkFilterOptionsMacro(novelview::ConsistencyOptions);
+
   ///@{
   /** Smaller offsets are left alone, pixels. Default 0.5, range 0.25 to 100. */
-  vtkSetClampMacro(MinOffset, double, novelview::ConsistencyParameters::MinPx.Min,
-    novelview::ConsistencyParameters::MinPx.Max);
-  vtkGetMacro(MinOffset, double);
+  vtkFilterOptionMacro(MinOffset, double, MinPx);
   ///@}
 
   ///@{
   /** Part of the other views' edge rays a silhouette has to cut. Default 0.05, range 0 to 1. */
-  vtkSetClampMacro(MinShare, double, novelview::ConsistencyParameters::MinShare.Min,
-    novelview::ConsistencyParameters::MinShare.Max);
-  vtkGetMacro(MinShare, double);
+  vtkFilterOptionMacro(MinShare, double, MinShare);
   ///@}
 
 protected:
@@ -52,9 +52,6 @@ protected:
   ~vtkSilhouetteReconciler() override = default;
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
-
-  double MinOffset = novelview::ConsistencyParameters::MinPx.Default;
-  double MinShare = novelview::ConsistencyParameters::MinShare.Default;
 
 private:
   vtkSilhouetteReconciler(const vtkSilhouetteReconciler&) = delete;

@@ -100,7 +100,8 @@ int vtkTextureAtlasGenerator::FillOutputPortInformation(int port, vtkInformation
 int vtkTextureAtlasGenerator::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
-  // An image must say an extent; an empty one asks for nothing, and the texture is made regardless.
+  // An image must state an extent; an empty one requests nothing, and the texture is computed
+  // anyway.
   const int empty[6] = { 0, -1, 0, -1, 0, -1 };
   outputs->GetInformationObject(2)->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), empty, 6);
   return 1;
@@ -120,18 +121,11 @@ int vtkTextureAtlasGenerator::RequestData(
       const std::vector<novelview::View> views =
         novelview::ReadColouredViews(vtkMultiBlockDataSet::GetData(inputs[1]));
 
-      novelview::TextureAtlasOptions options;
-      options.LargestSidePx = this->TextureSize;
-      options.Texture.References = this->References;
-      options.Texture.Power = this->Power;
-      options.Texture.FeatherPx = this->FeatherWidth;
-      options.Texture.OcclusionPx = this->OcclusionSoftness;
-      options.Texture.UseGains = this->UseExposureGains;
       const novelview::Execution execution = novelview::ExecutionFor(this);
       const auto colours =
-        novelview::ColourPoints(mesh, views, options.Texture, PartOf(execution, 0, 0.3));
+        novelview::ColourPoints(mesh, views, this->Options.Texture, PartOf(execution, 0, 0.3));
       const novelview::TextureAtlas atlas =
-        novelview::MakeTextureAtlas(mesh, views, options, PartOf(execution, 0.3, 1));
+        novelview::MakeTextureAtlas(mesh, views, this->Options, PartOf(execution, 0.3, 1));
 
       const std::vector<Eigen::Vector3d> normals = novelview::VertexNormals(mesh);
       PackColouredMesh(mesh, normals, colours, vtkPolyData::GetData(outputs, 0));
@@ -161,12 +155,7 @@ vtkImageData* vtkTextureAtlasGenerator::GetTexture()
 void vtkTextureAtlasGenerator::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "TextureSize: " << this->TextureSize << "\n";
-  os << indent << "References: " << this->References << "\n";
-  os << indent << "Power: " << this->Power << "\n";
-  os << indent << "FeatherWidth: " << this->FeatherWidth << "\n";
-  os << indent << "OcclusionSoftness: " << this->OcclusionSoftness << "\n";
-  os << indent << "UseExposureGains: " << this->UseExposureGains << "\n";
+  this->PrintOptions(os, indent);
   os << indent << "NumberOfCharts: " << this->NumberOfCharts << "\n";
   os << indent << "SeenShare: " << this->SeenShare << "\n";
 }

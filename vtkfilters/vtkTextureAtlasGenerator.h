@@ -3,12 +3,12 @@
  * @class vtkTextureAtlasGenerator
  * @brief A mesh with the photographs' colours, for no camera: per point, and as charts with a texture.
  *
- * Where vtkViewDependentTextureMapper makes the picture of one novel camera, this filter makes a
+ * Where vtkViewDependentTextureMapper makes the image of one novel camera, this filter makes a
  * textured mesh for other programs. Every triangle is given to the photograph that shows it best;
- * connected triangles of one photograph are a chart, whose texture coordinates are the pixels of that
- * photograph; the charts are packed into one texture. Every texel is blended from all photographs
- * that see its surface point, as vtkViewDependentTextureMapper does for a camera that looks straight
- * at it, so that charts match at their seams (TextureAtlas.h).
+ * connected triangles of one photograph are a chart, whose texture coordinates are the pixels of
+ * that photograph; the charts are packed into one texture. Every texel is blended from all
+ * photographs that see its surface point, as vtkViewDependentTextureMapper does for a camera that
+ * looks straight at it, so that charts match at their seams (TextureAtlas.h).
  *
  * Ports:
  *  - in 0: vtkPolyData, triangles; n points.
@@ -25,8 +25,8 @@
  *
  * Differs from the paper: the whole filter is an addition.
  *
- * Errors: no triangles, cells that are not triangles, no views, missing arrays, charts that fit at no
- * sensible scale.
+ * Errors: no triangles, cells that are not triangles, no views, missing arrays, charts that fit at
+ * no sensible scale.
  *
  * References: Chia, He and Lin 2013, section 3 (the blending); Lempitsky and Ivanov, "Seamless
  * mosaicing of image-based texture maps", CVPR 2007 (photographs chosen per triangle).
@@ -34,7 +34,8 @@
 #ifndef vtkTextureAtlasGenerator_h
 #define vtkTextureAtlasGenerator_h
 
-#include "texture/TextureParameters.h"
+#include "FilterOptions.h"
+#include "texture/TextureAtlasOptions.h"
 #include "vtkNovelViewFiltersModule.h"
 #include <vtkPolyDataAlgorithm.h>
 
@@ -47,25 +48,22 @@ public:
   vtkTypeMacro(vtkTextureAtlasGenerator, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /** All options of the kernel. */
+  vtkFilterOptionsMacro(novelview::TextureAtlasOptions);
+
   ///@{
   /** Largest side of the texture, pixels; charts are scaled down to fit. Default 4096, range 64 to 16384. */
-  vtkSetClampMacro(TextureSize, int, novelview::TextureAtlasParameters::LargestSidePx.Min,
-    novelview::TextureAtlasParameters::LargestSidePx.Max);
-  vtkGetMacro(TextureSize, int);
+  vtkFilterOptionMacro(TextureSize, int, LargestSidePx);
   ///@}
 
   ///@{
   /** Photographs blended per texel. Default 3, range 1 to 64. */
-  vtkSetClampMacro(References, int, novelview::TextureAtlasParameters::References.Min,
-    novelview::TextureAtlasParameters::References.Max);
-  vtkGetMacro(References, int);
+  vtkFilterOptionMacro(References, int, Texture.References);
   ///@}
 
   ///@{
   /** The exponent m of the weights. Default 16, range 0 to 64. */
-  vtkSetClampMacro(Power, double, novelview::TextureAtlasParameters::Power.Min,
-    novelview::TextureAtlasParameters::Power.Max);
-  vtkGetMacro(Power, double);
+  vtkFilterOptionMacro(Power, double, Texture.Power);
   ///@}
 
   ///@{
@@ -73,9 +71,7 @@ public:
    * Width over which a photograph's weight grows from its silhouette's border inwards, pixels.
    * Default 20, range 0.01 to 100.
    */
-  vtkSetClampMacro(FeatherWidth, double, novelview::TextureAtlasParameters::FeatherPx.Min,
-    novelview::TextureAtlasParameters::FeatherPx.Max);
-  vtkGetMacro(FeatherWidth, double);
+  vtkFilterOptionMacro(FeatherWidth, double, Texture.FeatherPx);
   ///@}
 
   ///@{
@@ -83,16 +79,12 @@ public:
    * Softness of the occlusion test in pixel footprints, see vtkViewDependentTextureMapper. Default
    * 1.5, range 0 to 100.
    */
-  vtkSetClampMacro(OcclusionSoftness, double, novelview::TextureAtlasParameters::OcclusionPx.Min,
-    novelview::TextureAtlasParameters::OcclusionPx.Max);
-  vtkGetMacro(OcclusionSoftness, double);
+  vtkFilterOptionMacro(OcclusionSoftness, double, Texture.OcclusionPx);
   ///@}
 
   ///@{
-  /** Bring the photographs to one exposure by their `ExposureGain` where there is one. Default on. */
-  vtkSetMacro(UseExposureGains, bool);
-  vtkGetMacro(UseExposureGains, bool);
-  vtkBooleanMacro(UseExposureGains, bool);
+  /** Equalise the exposure of the photographs by their `ExposureGain`, if present. Default on. */
+  vtkFilterSwitchMacro(UseExposureGains, Texture.UseGains);
   ///@}
 
   /** The mesh cut into charts, output 1. */
@@ -116,12 +108,6 @@ protected:
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
-  int TextureSize = novelview::TextureAtlasParameters::LargestSidePx.Default;
-  int References = novelview::TextureAtlasParameters::References.Default;
-  double Power = novelview::TextureAtlasParameters::Power.Default;
-  double FeatherWidth = novelview::TextureAtlasParameters::FeatherPx.Default;
-  double OcclusionSoftness = novelview::TextureAtlasParameters::OcclusionPx.Default;
-  bool UseExposureGains = novelview::TextureAtlasParameters::UseGains;
   int NumberOfCharts = 0;
   double SeenShare = 0;
 

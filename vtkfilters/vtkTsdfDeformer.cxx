@@ -7,9 +7,10 @@
 //------------------------------------------------------------------------------
 novelview::TsdfDeformationOptions vtkTsdfDeformer::TsdfOptions(vtkDataObject* views)
 {
-  novelview::TsdfDeformationOptions options = novelview::OptionsForNoise(this->DepthNoise > 0
-      ? this->DepthNoise
-      : novelview::AttachedNumber(views, novelview::arrays::DepthNoise, 0));
+  novelview::TsdfDeformationOptions options =
+    novelview::OptionsForNoise(this->Options.DepthNoise > 0
+        ? this->Options.DepthNoise
+        : novelview::AttachedNumber(views, novelview::arrays::DepthNoise, 0));
   options.Iterations = this->NumberOfIterations;
   options.LastOnly = !this->HasObserver(IterationEvent);
   return options;
@@ -19,5 +20,5 @@ novelview::TsdfDeformationOptions vtkTsdfDeformer::TsdfOptions(vtkDataObject* vi
 void vtkTsdfDeformer::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "DepthNoise: " << this->DepthNoise << "\n";
+  this->PrintOptions(os, indent);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class vtkTsdfDeformer
- * @brief What the deformers share that follow depth maps.
+ * @brief Base class of the deformers that follow depth maps.
  *
  * The depth maps of the views (arrays `Depth` and `Confidence`, as vtkReferenceDepthEstimator adds
  * them) are fused into a truncated signed distance (TsdfField.h). The distance to its zero crossing
@@ -12,7 +12,8 @@
 #ifndef vtkTsdfDeformer_h
 #define vtkTsdfDeformer_h
 
-#include "fusion/FusionParameters.h"
+#include "FilterOptions.h"
+#include "fusion/DepthMapOptions.h"
 #include "vtkViewDeformer.h"
 
 class vtkDataObject;
@@ -28,15 +29,16 @@ public:
   vtkTypeMacro(vtkTsdfDeformer, vtkViewDeformer);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /** All options of the kernel. */
+  vtkFilterOptionsMacro(novelview::DepthMapOptions);
+
   ///@{
   /**
-   * By how many input pixel footprints the maps are off. The more, the more steadily and the less
-   * finely they are followed (TsdfDeformation.h). 0 takes what vtkReferenceDepthEstimator measured.
-   * Default 0, range 0 to 10.
+   * Error of the maps in input pixel footprints. The larger, the more smoothly and the less
+   * closely they are followed (TsdfDeformation.h). 0 takes what vtkReferenceDepthEstimator
+   * measured. Default 0, range 0 to 10.
    */
-  vtkSetClampMacro(DepthNoise, double, novelview::FusionParameters::DepthNoise.Min,
-    novelview::FusionParameters::DepthNoise.Max);
-  vtkGetMacro(DepthNoise, double);
+  vtkFilterOptionMacro(DepthNoise, double, DepthNoise);
   ///@}
 
 protected:
@@ -45,8 +47,6 @@ protected:
 
   /** How the depth maps of these views are followed. */
   novelview::TsdfDeformationOptions TsdfOptions(vtkDataObject* views);
-
-  double DepthNoise = novelview::FusionParameters::DepthNoise.Default;
 
 private:
   vtkTsdfDeformer(const vtkTsdfDeformer&) = delete;

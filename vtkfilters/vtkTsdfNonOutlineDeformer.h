@@ -4,10 +4,11 @@
  * @brief Moves all points of a mesh along their viewing rays onto the surface of fused depth maps.
  *
  * The sibling of vtkNonOutlineDeformer for views with depth maps. Every point, outline points and
+ * The sibling of vtkNonOutlineDeformer for views with depth maps. Every point, outline points and
  * invisible ones included, moves on the line through itself and the novel camera's centre; together
  * they minimise the squared distances to where the fused maps change from free to solid, and between
  * neighbours (TsdfDeformation.h).
- * Points that nobody sees lie at the boundary of what is seen; left behind they would be spikes.
+ * Points that no photograph sees lie at the boundary of what is seen; unmoved they would be spikes.
  *
  * Ports and arrays: see vtkTsdfDeformer. Added point arrays: `EnergyPhoto` (squared
  * distance to the crossing), `EnergyHull` (to where the point started), `EnergySmooth`, `Energy`;

@@ -13,12 +13,12 @@ vtkStandardNewMacro(vtkTsdfOutlineDeformer);
 void vtkTsdfOutlineDeformer::Deform(const Work& work)
 {
   novelview::TsdfDeformationOptions options = this->TsdfOptions(work.ViewData);
-  options.Outline.SilhouettePrior = this->SilhouettePrior > 0
-    ? this->SilhouettePrior
+  options.Outline.SilhouettePrior = this->Options.SilhouettePrior > 0
+    ? this->Options.SilhouettePrior
     : novelview::AttachedNumber(
         work.ViewData, novelview::arrays::SilhouettePrior, options.Outline.SilhouettePrior);
   options.Silhouette.Support = novelview::AttachedSupport(work.ViewData);
-  options.Silhouette.UsePrediction = this->UseContourPrediction;
+  options.Silhouette.UsePrediction = this->Options.UsePrediction;
   novelview::DeformOutlineByField(
     work.Mesh, work.Visible, work.Views, work.Camera, options, work.Listener, work.Execution);
 }
@@ -27,6 +27,4 @@ void vtkTsdfOutlineDeformer::Deform(const Work& work)
 void vtkTsdfOutlineDeformer::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "SilhouettePrior: " << this->SilhouettePrior << "\n";
-  os << indent << "UseContourPrediction: " << this->UseContourPrediction << "\n";
 }

@@ -10,9 +10,10 @@
  * UseContourPrediction that contour is refined by the one interpolated from the photographs'
  * contours (ContourPrediction.h).
  *
- * Ports and arrays: see vtkTsdfDeformer. Out 0 holds only the triangles that face the novel camera;
- * added point arrays: `OutlineFlag` (uint8, 1 = outline point), `EnergyPhoto` (squared
- * distance by which a point lies outside the contour, pixels squared), `Energy` (the same), `EnergyContour` and `EnergySmooth` (0).
+ * Ports and arrays: see vtkTsdfDeformer. Out 0 contains only the triangles that face the novel
+ * camera; added point arrays: `OutlineFlag` (uint8, 1 = outline point), `EnergyPhoto` (squared
+ * distance by which a point lies outside the contour, pixels squared), `Energy` (the same),
+ * `EnergyContour` and `EnergySmooth` (0).
  */
 #ifndef vtkTsdfOutlineDeformer_h
 #define vtkTsdfOutlineDeformer_h
@@ -28,20 +29,16 @@ public:
 
   ///@{
   /**
-   * Weight of "object" against the photographs' votes when it is decided whether a ray meets any.
-   * Larger values carve less. 0 takes the one that vtkReferenceDepthEstimator found for the data
-   * set. Default 0, range 0 to 10.
+   * Weight of the label "object" against the photographs' votes when a ray is classified.
+   * Larger values carve less. 0 takes the one that vtkReferenceDepthEstimator estimated for the
+   * data set. Default 0, range 0 to 10.
    */
-  vtkSetClampMacro(SilhouettePrior, double, novelview::FusionParameters::SilhouettePrior.Min,
-    novelview::FusionParameters::SilhouettePrior.Max);
-  vtkGetMacro(SilhouettePrior, double);
+  vtkFilterOptionMacro(SilhouettePrior, double, SilhouettePrior);
   ///@}
 
   ///@{
   /** Refine the outline by the contour interpolated from the photographs' own. Default off. */
-  vtkSetMacro(UseContourPrediction, bool);
-  vtkGetMacro(UseContourPrediction, bool);
-  vtkBooleanMacro(UseContourPrediction, bool);
+  vtkFilterSwitchMacro(UseContourPrediction, UsePrediction);
   ///@}
 
 protected:
@@ -50,9 +47,6 @@ protected:
   void Deform(const Work& work) override;
   const char* ContourArrayName() const override { return novelview::arrays::EnergyContour; }
   bool MovesOutline() const override { return true; }
-
-  double SilhouettePrior = novelview::FusionParameters::SilhouettePrior.Default;
-  bool UseContourPrediction = novelview::FusionParameters::UsePrediction;
 
 private:
   vtkTsdfOutlineDeformer(const vtkTsdfOutlineDeformer&) = delete;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class vtkViewDeformer
- * @brief What the deformers share: ports, camera, iterations, the event after each.
+ * @brief Base class of the deformers: ports, camera, iterations, the event after each.
  *
  * Ports:
  *  - in 0: vtkPolyData, triangles; point arrays `Visible` and `OutlineFlag` (uint8) when present.
@@ -20,7 +20,7 @@
 #define vtkViewDeformer_h
 
 #include "ArrayNames.h"
-#include "deformation/DeformationParameters.h"
+#include "deformation/DeformationOptions.h"
 #include "vtkNovelViewFiltersModule.h"
 #include <vtkCommand.h>
 #include <vtkPolyDataAlgorithm.h>
@@ -54,13 +54,13 @@ public:
 
   ///@{
   /** Iterations at most; 0 only measures the energies. Default 10, range 0 to 1000. */
-  vtkSetClampMacro(NumberOfIterations, int, novelview::DeformationParameters::Iterations.Min,
-    novelview::DeformationParameters::Iterations.Max);
+  vtkSetClampMacro(NumberOfIterations, int, novelview::IterationsParameter.Min,
+    novelview::IterationsParameter.Max);
   vtkGetMacro(NumberOfIterations, int);
   ///@}
 
   ///@{
-  /** State of the iteration that IterationEvent tells of; of the last one after an update. */
+  /** State of the iteration that IterationEvent reports; after an update, of the last one. */
   vtkPolyData* GetCurrentMesh();
   vtkGetMacro(Iteration, int);
   vtkGetMacro(PointsMoved, vtkIdType);
@@ -103,7 +103,7 @@ protected:
 
   vtkSmartPointer<vtkPinholeCamera> Camera;
   vtkSmartPointer<vtkPolyData> CurrentMesh;
-  int NumberOfIterations = novelview::DeformationParameters::Iterations.Default;
+  int NumberOfIterations = novelview::IterationsParameter.Default;
   int Iteration = 0;
   vtkIdType PointsMoved = 0;
   double MeanEnergy = 0;

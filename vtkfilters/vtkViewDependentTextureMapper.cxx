@@ -76,15 +76,8 @@ int vtkViewDependentTextureMapper::RequestData(
       const std::vector<novelview::View> views =
         novelview::ReadColouredViews(vtkMultiBlockDataSet::GetData(inputs[1]));
 
-      novelview::TextureOptions options;
-      options.References = this->References;
-      options.Power = this->Power;
-      options.FeatherPx = this->FeatherWidth;
-      options.OcclusionPx = this->OcclusionSoftness;
-      options.UseDepthMaps = this->UseDepthMaps;
-      options.UseGains = this->UseExposureGains;
-      options.BoundarySamples = this->BoundarySamples | 1;
-      options.SoftBoundary = this->SoftBoundary;
+      novelview::TextureOptions options = this->Options;
+      options.BoundarySamples = this->Options.BoundarySamples | 1;
       std::optional<novelview::TriangleMesh> occluders;
       vtkPolyData* others = vtkPolyData::GetData(inputs[2]);
       if (others && novelview::NeedsModel(views, options))
@@ -109,13 +102,6 @@ int vtkViewDependentTextureMapper::RequestData(
 void vtkViewDependentTextureMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  this->PrintOptions(os, indent);
   novelview::PrintCamera(os, indent, this->Camera);
-  os << indent << "References: " << this->References << "\n";
-  os << indent << "Power: " << this->Power << "\n";
-  os << indent << "FeatherWidth: " << this->FeatherWidth << "\n";
-  os << indent << "OcclusionSoftness: " << this->OcclusionSoftness << "\n";
-  os << indent << "UseDepthMaps: " << this->UseDepthMaps << "\n";
-  os << indent << "UseExposureGains: " << this->UseExposureGains << "\n";
-  os << indent << "BoundarySamples: " << this->BoundarySamples << "\n";
-  os << indent << "SoftBoundary: " << this->SoftBoundary << "\n";
 }

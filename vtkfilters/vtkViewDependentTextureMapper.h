@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class vtkViewDependentTextureMapper
- * @brief The picture a camera takes of a mesh, coloured from calibrated photographs.
+ * @brief The image of a mesh in a camera, coloured from calibrated photographs.
  *
  * The mesh lookup table (the mesh rasterised into the camera, in software) gives every pixel its
  * surface point V. Its colour is
@@ -39,7 +39,8 @@
 #ifndef vtkViewDependentTextureMapper_h
 #define vtkViewDependentTextureMapper_h
 
-#include "texture/TextureParameters.h"
+#include "FilterOptions.h"
+#include "texture/TextureOptions.h"
 #include "vtkNovelViewFiltersModule.h"
 #include <vtkImageAlgorithm.h>
 #include <vtkSmartPointer.h>
@@ -53,6 +54,9 @@ public:
   vtkTypeMacro(vtkViewDependentTextureMapper, vtkImageAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /** All options of the kernel. */
+  vtkFilterOptionsMacro(novelview::TextureOptions);
+
   ///@{
   /** The novel camera. Default: none, which is an error on update. */
   void SetCamera(vtkPinholeCamera* camera);
@@ -61,16 +65,12 @@ public:
 
   ///@{
   /** Photographs blended per pixel. Default 3, range 1 to 64. */
-  vtkSetClampMacro(References, int, novelview::TextureParameters::References.Min,
-    novelview::TextureParameters::References.Max);
-  vtkGetMacro(References, int);
+  vtkFilterOptionMacro(References, int, References);
   ///@}
 
   ///@{
   /** The exponent m of the weights. Default 8, range 0 to 64. */
-  vtkSetClampMacro(Power, double, novelview::TextureParameters::Power.Min,
-    novelview::TextureParameters::Power.Max);
-  vtkGetMacro(Power, double);
+  vtkFilterOptionMacro(Power, double, Power);
   ///@}
 
   ///@{
@@ -78,9 +78,7 @@ public:
    * Width over which a photograph's weight grows from its silhouette's border inwards, pixels.
    * Default 2, range 0.01 to 100.
    */
-  vtkSetClampMacro(FeatherWidth, double, novelview::TextureParameters::FeatherPx.Min,
-    novelview::TextureParameters::FeatherPx.Max);
-  vtkGetMacro(FeatherWidth, double);
+  vtkFilterOptionMacro(FeatherWidth, double, FeatherPx);
   ///@}
 
   ///@{
@@ -88,23 +86,17 @@ public:
    * Softness of the occlusion test in pixel footprints: a point z behind the model counts
    * exp(-(z / softness)^2). 0 tests hard at 1.5 footprints. Default 0, range 0 to 100.
    */
-  vtkSetClampMacro(OcclusionSoftness, double, novelview::TextureParameters::OcclusionPx.Min,
-    novelview::TextureParameters::OcclusionPx.Max);
-  vtkGetMacro(OcclusionSoftness, double);
+  vtkFilterOptionMacro(OcclusionSoftness, double, OcclusionPx);
   ///@}
 
   ///@{
-  /** Test occlusion against the views' `Depth` arrays where there are. Default off. */
-  vtkSetMacro(UseDepthMaps, bool);
-  vtkGetMacro(UseDepthMaps, bool);
-  vtkBooleanMacro(UseDepthMaps, bool);
+  /** Test occlusion against the views' `Depth` arrays, if present. Default off. */
+  vtkFilterSwitchMacro(UseDepthMaps, UseDepthMaps);
   ///@}
 
   ///@{
-  /** Bring the photographs to one exposure by their `ExposureGain` where there is one. Default off. */
-  vtkSetMacro(UseExposureGains, bool);
-  vtkGetMacro(UseExposureGains, bool);
-  vtkBooleanMacro(UseExposureGains, bool);
+  /** Equalise the exposure of the photographs by their `ExposureGain`, if present. Default off. */
+  vtkFilterSwitchMacro(UseExposureGains, UseGains);
   ///@}
 
   ///@{
@@ -112,20 +104,16 @@ public:
    * Subsamples per pixel side for the coverage of boundary pixels; even values are raised by one, and
    * 1 is no antialiasing. Default 1, range 1 to 9.
    */
-  vtkSetClampMacro(BoundarySamples, int, novelview::TextureParameters::BoundarySamples.Min,
-    novelview::TextureParameters::BoundarySamples.Max);
-  vtkGetMacro(BoundarySamples, int);
+  vtkFilterOptionMacro(BoundarySamples, int, BoundarySamples);
   ///@}
 
   ///@{
   /**
    * Give pixels of which less than half is covered their share of colour, although they are not of
-   * the `Mask`: in a film the contour then moves instead of jumping. Needs BoundarySamples above 1.
+   * the `Mask`: in a video the contour then moves continuously. Needs BoundarySamples above 1.
    * Default off.
    */
-  vtkSetMacro(SoftBoundary, bool);
-  vtkGetMacro(SoftBoundary, bool);
-  vtkBooleanMacro(SoftBoundary, bool);
+  vtkFilterSwitchMacro(SoftBoundary, SoftBoundary);
   ///@}
 
   vtkMTimeType GetMTime() override;
@@ -140,14 +128,6 @@ protected:
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
   vtkSmartPointer<vtkPinholeCamera> Camera;
-  int References = novelview::TextureParameters::References.Default;
-  double Power = novelview::TextureParameters::Power.Default;
-  double FeatherWidth = novelview::TextureParameters::FeatherPx.Default;
-  double OcclusionSoftness = novelview::TextureParameters::OcclusionPx.Default;
-  bool UseDepthMaps = novelview::TextureParameters::UseDepthMaps;
-  bool UseExposureGains = novelview::TextureParameters::UseGains;
-  int BoundarySamples = novelview::TextureParameters::BoundarySamples.Default;
-  bool SoftBoundary = novelview::TextureParameters::SoftBoundary;
 
 private:
   vtkViewDependentTextureMapper(const vtkViewDependentTextureMapper&) = delete;

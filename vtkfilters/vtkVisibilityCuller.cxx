@@ -25,7 +25,7 @@ namespace
 {
 using novelview::Error;
 
-/** The triangles for which `keep` holds, and for each point used its id in the whole mesh. */
+/** The triangles that satisfy `keep`, and for each point used its id in the whole mesh. */
 template <class Keep>
 novelview::TriangleMesh Extract(
   const novelview::TriangleMesh& whole, const Keep& keep, std::vector<int>& originalIds)
@@ -113,7 +113,7 @@ void CheckCamera(const novelview::Camera& camera, const novelview::TriangleMesh&
 {
   if (novelview::IsInside(mesh, camera.Centre()))
   {
-    throw Error("novel camera", "it stands inside the object");
+    throw Error("novel camera", "it is inside the object");
   }
   for (std::size_t ptId = 0; ptId < mesh.Points.size(); ++ptId)
   {
@@ -126,7 +126,8 @@ void CheckCamera(const novelview::Camera& camera, const novelview::TriangleMesh&
   const std::vector<int> cells = novelview::Rasterise(mesh, camera).CellId.Values;
   if (std::all_of(cells.begin(), cells.end(), [](int cellId) { return cellId < 0; }))
   {
-    throw Error("novel camera", "no part of the object is in its frame: it looks away");
+    throw Error(
+      "novel camera", "no part of the object is in its frame: it faces away from the object");
   }
 }
 }
@@ -172,8 +173,8 @@ int vtkVisibilityCuller::RequestData(
       {
         return;
       }
-      const std::vector<std::uint8_t> visible =
-        novelview::VisibleVertices(mesh, camera, this->Tolerance, novelview::ExecutionFor(this));
+      const std::vector<std::uint8_t> visible = novelview::VisibleVertices(
+        mesh, camera, this->Options.Tolerance, novelview::ExecutionFor(this));
       CheckCamera(camera, mesh, visible);
 
       const auto anyVisible = [&visible](const Eigen::Vector3i& t)
@@ -184,9 +185,9 @@ int vtkVisibilityCuller::RequestData(
       std::vector<int> keptIds;
       std::vector<int> removedIds;
       novelview::SplitMesh kept{ Extract(mesh, anyVisible, keptIds), {} };
-      if (this->MaximumEdgeLength > 0)
+      if (this->Options.LongestEdgePx > 0)
       {
-        kept = novelview::SplitLongEdges(kept.Mesh, camera, this->MaximumEdgeLength);
+        kept = novelview::SplitLongEdges(kept.Mesh, camera, this->Options.LongestEdgePx);
       }
       vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
       novelview::FromTriangleMesh(kept.Mesh, output);
@@ -200,7 +201,6 @@ int vtkVisibilityCuller::RequestData(
 void vtkVisibilityCuller::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  this->PrintOptions(os, indent);
   novelview::PrintCamera(os, indent, this->Camera);
-  os << indent << "Tolerance: " << this->Tolerance << "\n";
-  os << indent << "MaximumEdgeLength: " << this->MaximumEdgeLength << "\n";
 }

@@ -19,7 +19,7 @@
  *
  * Differs from the paper: the same definition, found through a grid over the image plane instead of
  * comparing each vertex with every triangle. With MaximumEdgeLength what remains is made as fine as
- * this camera's pixels ask for, so that the mesh of the whole object need not be.
+ * this camera's pixels require, so that the mesh of the whole object need not be.
  *
  * Limits: a triangle with a corner behind the camera hides nothing.
  *
@@ -31,7 +31,8 @@
 #ifndef vtkVisibilityCuller_h
 #define vtkVisibilityCuller_h
 
-#include "geometry/VisibilityParameters.h"
+#include "FilterOptions.h"
+#include "geometry/VisibilityOptions.h"
 #include "vtkNovelViewFiltersModule.h"
 #include <vtkPolyDataAlgorithm.h>
 #include <vtkSmartPointer.h>
@@ -45,6 +46,9 @@ public:
   vtkTypeMacro(vtkVisibilityCuller, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /** All options of the kernel. */
+  vtkFilterOptionsMacro(novelview::VisibilityOptions);
+
   ///@{
   /** The novel camera. Default: none, which is an error on update. */
   void SetCamera(vtkPinholeCamera* camera);
@@ -53,19 +57,15 @@ public:
 
   ///@{
   /** How much deeper "behind" is, in diagonals of the bounding box. Default 1e-6, range 0 to 0.1. */
-  vtkSetClampMacro(Tolerance, double, novelview::VisibilityParameters::Tolerance.Min,
-    novelview::VisibilityParameters::Tolerance.Max);
-  vtkGetMacro(Tolerance, double);
+  vtkFilterOptionMacro(Tolerance, double, Tolerance);
   ///@}
 
   ///@{
   /**
-   * Edges that remain and are longer than this in the camera's picture, pixels, are cut once at
-   * their middle; 0 leaves all whole. Default 0, range 0 to 1000.
+   * Edges that remain and are longer than this in the camera's image, pixels, are split once at
+   * their midpoints; 0 splits none. Default 0, range 0 to 1000.
    */
-  vtkSetClampMacro(MaximumEdgeLength, double, novelview::VisibilityParameters::LongestEdgePx.Min,
-    novelview::VisibilityParameters::LongestEdgePx.Max);
-  vtkGetMacro(MaximumEdgeLength, double);
+  vtkFilterOptionMacro(MaximumEdgeLength, double, LongestEdgePx);
   ///@}
 
   vtkMTimeType GetMTime() override;
@@ -77,8 +77,6 @@ protected:
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
   vtkSmartPointer<vtkPinholeCamera> Camera;
-  double Tolerance = novelview::VisibilityParameters::Tolerance.Default;
-  double MaximumEdgeLength = novelview::VisibilityParameters::LongestEdgePx.Default;
 
 private:
   vtkVisibilityCuller(const vtkVisibilityCuller&) = delete;

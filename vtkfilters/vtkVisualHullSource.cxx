@@ -41,13 +41,11 @@ int vtkVisualHullSource::RequestData(
       const std::vector<novelview::View> views =
         novelview::ReadViews(vtkMultiBlockDataSet::GetData(inputs[0]), needs, 2);
 
-      novelview::VisualHullOptions options;
-      options.SpacingPx = this->SampleSpacing;
-      options.KeepAllComponents = this->KeepAllComponents;
+      novelview::VisualHullOptions options = this->Options;
       const double* b = this->SearchBounds;
       if (b[0] < b[1] && b[2] < b[3] && b[4] < b[5])
       {
-        options.Box.emplace(Eigen::Vector3d(b[0], b[2], b[4]), Eigen::Vector3d(b[1], b[3], b[5]));
+        options.Box = { b[0], b[2], b[4], b[1], b[3], b[5] };
       }
       const novelview::VisualHullResult hull =
         novelview::ComputeVisualHull(views, options, novelview::ExecutionFor(this));
@@ -68,13 +66,22 @@ int vtkVisualHullSource::RequestData(
 void vtkVisualHullSource::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "SampleSpacing: " << this->SampleSpacing << "\n";
+  this->PrintOptions(os, indent);
+  if (this->Options.Box)
+  {
+    os << indent << "Box:";
+    for (const double bound : *this->Options.Box)
+    {
+      os << " " << bound;
+    }
+    os << "\n";
+  }
   os << indent << "SearchBounds:";
   for (const double bound : this->SearchBounds)
   {
     os << " " << bound;
   }
-  os << "\n" << indent << "KeepAllComponents: " << this->KeepAllComponents << "\n";
+  os << "\n";
   os << indent << "NumberOfDroppedComponents: " << this->NumberOfDroppedComponents << "\n";
   os << indent << "NumberOfDroppedSamples: " << this->NumberOfDroppedSamples << "\n";
   os << indent << "WorldSpacing: " << this->WorldSpacing << "\n";

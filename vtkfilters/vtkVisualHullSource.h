@@ -4,7 +4,7 @@
  * @brief Surface samples of the visual hull of calibrated silhouettes.
  *
  * The visual hull is the set of points whose projection lies inside the silhouette of every view
- * that sees them. A view says nothing of what is outside its frame or behind its camera: it never
+ * that sees them. A view has no information outside its frame or behind its camera: it never
  * carves there. With d_v the signed contour distance of view v (pixels, positive inside), z_v the
  * depth and f_v the focal length, the hull is f >= 0 for
  *
@@ -20,7 +20,7 @@
  *  - out 0: vtkPolyData, points (double) and point array `Normals` (float x 3, outward, unit). No
  *    cells.
  *  - out 1: vtkPolyData, triangles: the surface as the lattice connects all samples (surface nets),
- *    of before the thinning. Rougher than the power crust, but there at once: creases are cut by a
+ *    of before the thinning. Less accurate than the power crust, but available earlier: creases are cut by a
  *    fraction of the spacing, and it need not be a manifold.
  *
  * Limits: samples agree with the silhouettes to a small fraction of a pixel except where the frame
@@ -36,7 +36,8 @@
 #ifndef vtkVisualHullSource_h
 #define vtkVisualHullSource_h
 
-#include "hull/VisualHullParameters.h"
+#include "FilterOptions.h"
+#include "hull/VisualHullOptions.h"
 #include "vtkNovelViewFiltersModule.h"
 #include <vtkPolyDataAlgorithm.h>
 
@@ -47,20 +48,21 @@ public:
   vtkTypeMacro(vtkVisualHullSource, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /** All options of the kernel. */
+  vtkFilterOptionsMacro(novelview::VisualHullOptions);
+
   ///@{
   /**
    * Distance between samples in pixels of the photographs at the object's middle. Default 2,
    * range 0.25 to 64.
    */
-  vtkSetClampMacro(SampleSpacing, double, novelview::VisualHullParameters::SpacingPx.Min,
-    novelview::VisualHullParameters::SpacingPx.Max);
-  vtkGetMacro(SampleSpacing, double);
+  vtkFilterOptionMacro(SampleSpacing, double, SpacingPx);
   ///@}
 
   ///@{
   /**
    * The box to search, xmin xmax ymin ymax zmin zmax in world units. Default: 1 -1 1 -1 1 -1, an
-   * empty box, which means that the box is found from the silhouettes.
+   * empty box: the box of SetOptions() if given, else computed from the silhouettes.
    */
   vtkSetVector6Macro(SearchBounds, double);
   vtkGetVector6Macro(SearchBounds, double);
@@ -68,9 +70,7 @@ public:
 
   ///@{
   /** Keep every connected component, not only the one with the most samples. Default off. */
-  vtkSetMacro(KeepAllComponents, bool);
-  vtkGetMacro(KeepAllComponents, bool);
-  vtkBooleanMacro(KeepAllComponents, bool);
+  vtkFilterSwitchMacro(KeepAllComponents, KeepAllComponents);
   ///@}
 
   ///@{
@@ -89,9 +89,7 @@ protected:
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
-  double SampleSpacing = novelview::VisualHullParameters::SpacingPx.Default;
   double SearchBounds[6] = { 1, -1, 1, -1, 1, -1 };
-  bool KeepAllComponents = novelview::VisualHullParameters::KeepAllComponents;
   int NumberOfDroppedComponents = 0;
   vtkIdType NumberOfDroppedSamples = 0;
   double WorldSpacing = 0;

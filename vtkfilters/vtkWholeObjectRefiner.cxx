@@ -32,8 +32,8 @@ int vtkWholeObjectRefiner::RequestData(
     [&]
     {
       vtkMultiBlockDataSet* blocks = vtkMultiBlockDataSet::GetData(inputs[1]);
-      const double noise = this->DepthNoise > 0
-        ? this->DepthNoise
+      const double noise = this->Options.DepthNoise > 0
+        ? this->Options.DepthNoise
         : novelview::AttachedNumber(blocks, novelview::arrays::DepthNoise, 0);
       novelview::ModelRefinementOptions options;
       options.Fusion = novelview::OptionsForNoise(noise).Surface;
@@ -48,5 +48,5 @@ int vtkWholeObjectRefiner::RequestData(
 void vtkWholeObjectRefiner::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "DepthNoise: " << this->DepthNoise << "\n";
+  this->PrintOptions(os, indent);
 }

@@ -16,7 +16,8 @@
 #ifndef vtkWholeObjectRefiner_h
 #define vtkWholeObjectRefiner_h
 
-#include "fusion/FusionParameters.h"
+#include "FilterOptions.h"
+#include "fusion/DepthMapOptions.h"
 #include "vtkNovelViewFiltersModule.h"
 #include <vtkPolyDataAlgorithm.h>
 
@@ -27,14 +28,15 @@ public:
   vtkTypeMacro(vtkWholeObjectRefiner, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /** All options of the kernel. */
+  vtkFilterOptionsMacro(novelview::DepthMapOptions);
+
   ///@{
   /**
-   * By how many input pixel footprints the depth maps are off, see vtkTsdfDeformer. 0 takes what
+   * Error of the depth maps in input pixel footprints, see vtkTsdfDeformer. 0 takes what
    * vtkReferenceDepthEstimator measured. Default 0, range 0 to 10.
    */
-  vtkSetClampMacro(DepthNoise, double, novelview::FusionParameters::DepthNoise.Min,
-    novelview::FusionParameters::DepthNoise.Max);
-  vtkGetMacro(DepthNoise, double);
+  vtkFilterOptionMacro(DepthNoise, double, DepthNoise);
   ///@}
 
 protected:
@@ -43,8 +45,6 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
-
-  double DepthNoise = novelview::FusionParameters::DepthNoise.Default;
 
 private:
   vtkWholeObjectRefiner(const vtkWholeObjectRefiner&) = delete;

@@ -8,13 +8,13 @@
 namespace novelview
 {
 /**
- * Throws Error ("out of memory") unless this process can have so many more bytes of address space.
- * Libraries that draw or start threads crash or hang where they get none, so they are asked for here
- * before, and given back at once. Costs nothing: no memory is touched.
+ * Throws Error ("out of memory") unless this process can reserve this many more bytes of address
+ * space. Libraries that draw or start threads crash or hang without it, so it is reserved here
+ * before, and released immediately. Costs nothing: no memory is touched.
  */
 void RequireAddressSpace(const std::string& where, std::size_t bytes);
 
-/** What the stacks of so many new threads take. */
+/** Size of the stacks of this many new threads, bytes. */
 std::size_t StackBytesOf(int threads);
 }
 

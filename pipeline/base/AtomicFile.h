@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * Files that are there whole or not at all: the bytes go into a temporary file beside the target, to
+ * Atomic writing of files: the bytes go into a temporary file beside the target, to
  * the disk, and then into the target's place. A run that fails, is interrupted or killed leaves the
  * file that was there before. Missing folders are made.
  *
@@ -19,12 +19,12 @@
 namespace novelview
 {
 /**
- * Writes bytes, be they text or not. An input of the run that holds just these bytes already stays
+ * Writes bytes, text or binary. An input of the run that already contains exactly these bytes stays
  * as it is.
  */
 void WriteTextAtomically(const std::filesystem::path& path, std::string_view bytes);
 
-/** The same for what a stop shall not lose: does not ask for one. */
+/** The same for files that a stop must not lose: does not check for a requested stop. */
 void WriteDespiteStop(const std::filesystem::path& path, std::string_view bytes);
 
 /**

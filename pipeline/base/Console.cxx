@@ -23,7 +23,7 @@ namespace
 {
 std::atomic<bool> InterruptRequested = false;
 
-/** A logger of its own (none of spdlog's global ones) that writes lines as they are. */
+/** A logger that is not one of spdlog's global ones and writes lines unchanged. */
 std::shared_ptr<spdlog::logger> LinesTo(std::FILE* file, const char* pattern)
 {
   using Sink = spdlog::sinks::stdout_sink_base<spdlog::details::console_mutex>;
@@ -55,7 +55,7 @@ Console::Console(Verbosity verbosity, std::FILE* out, std::FILE* err)
     this->Clock = std::thread([this] { this->DrawBarUntilEnd(); });
   }
   SetStopFlag(&InterruptRequested);
-  // What the layers below log goes the same way, and is as quiet.
+  // Messages of the layers below are printed in the same way and at the same verbosity.
   this->Before = spdlog::default_logger();
   spdlog::set_default_logger(this->Out);
 }

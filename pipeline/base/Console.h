@@ -19,17 +19,17 @@ namespace novelview
 {
 enum class Verbosity
 {
-  Silent, ///< nothing: another process tells the same
+  Silent, ///< nothing: another process prints the same
   Quiet,  ///< warnings and errors
   Normal, ///< and progress, stages, results
   Verbose ///< and details
 };
 
 /**
- * What a program tells its user: messages and progress on `out`, warnings and errors on `err`, one
- * line each. On a terminal progress is a bar on a line of its own, with the time since the start,
- * which goes on while nothing is reported; otherwise only whole lines are written, one when a stage
- * ends. For the main thread only, but for Progress().
+ * The output of the program: messages and progress on `out`, warnings and errors on `err`, one
+ * line each. On a terminal progress is a bar on a separate line, with the time since the start,
+ * which advances while nothing is reported; otherwise only whole lines are written, one when a
+ * stage ends. For the main thread only, except Progress().
  */
 class Console
 {
@@ -39,14 +39,14 @@ public:
 
   /** Something has been worked on up to a fraction, 0 to 1. Returns false after Interrupt(). */
   bool Progress(const std::string& what, double fraction);
-  /** Progress() of one thing, for those who need not ask about a stop. */
+  /** Progress() of one task, for callers that need not check for a requested stop. */
   std::function<void(double fraction)> ProgressOf(const std::string& what)
   {
     return [this, what](double fraction) { this->Progress(what, fraction); };
   }
   /** A stage has ended. */
   void StageDone(const std::string& stage, double seconds);
-  /** Two stages ran at the same time, in so many seconds less than the sum of both. */
+  /** Two stages ran at the same time, in this many seconds less than the sum of both. */
   void StagesOverlapped(double seconds) { this->Overlap += seconds; }
   /** Does what is no filter's work, with a bar, and counts it as a stage. */
   void RunTimed(const std::string& stage, const std::function<void()>& work);
@@ -61,7 +61,7 @@ public:
   /** The seconds of every stage so far, in the order of their ends; a stage that ran again adds
    * up. */
   const std::vector<std::pair<std::string, double>>& StageSeconds() const { return this->Stages; }
-  /** Says the time of every stage, the whole time and the peak memory. */
+  /** Prints the time of every stage, the total time and the peak memory. */
   void Summary();
   /**
    * The same for programs, as a JSON object: "stages" (an object of "seconds" by stage, in the
@@ -70,7 +70,7 @@ public:
    */
   std::string TimingsText() const;
 
-  /** Asks every Console to stop its program; may be called by a signal handler. */
+  /** Requests every Console to stop its program; may be called by a signal handler. */
   static void Interrupt();
   static bool Interrupted();
 

@@ -116,7 +116,7 @@ class OpenFile
 public:
   explicit OpenFile(const fs::path& file)
     : File(file)
-    // A pipe that nobody writes to would block here.
+    // A pipe without a writer would block here.
     , Descriptor(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC))
   {
     if (this->Descriptor < 0)
@@ -129,7 +129,7 @@ public:
     if (::fstat(this->Descriptor, &status) != 0 || !S_ISREG(status.st_mode))
     {
       ::close(this->Descriptor);
-      throw Error(file.string(), "is no regular file", KindOf(status), "a file with an end");
+      throw Error(file.string(), "is not a regular file", KindOf(status), "a regular file");
     }
     this->Size = static_cast<std::size_t>(status.st_size);
     try
@@ -156,7 +156,7 @@ public:
     try
     {
       const OutOfMemoryIsCaught caught;
-      // Some files, as those of /proc, do not tell their size.
+      // Some files, such as those of /proc, have no known size.
       std::string bytes;
       bytes.reserve(std::min(this->Size + 1, most));
       std::size_t count = 0;

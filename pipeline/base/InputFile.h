@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * The files that a run reads, and the promise that none of them is replaced by what the same run
- * writes. Files are told apart by device and inode, so that a link to a photograph is the
- * photograph. Readers take their bytes from here; writers ask here (see AtomicFile.h).
+ * writes. Files are distinguished by device and inode, so that a link to a photograph is the
+ * photograph. Readers get their bytes from here; writers check here (see AtomicFile.h).
  *
- * The promise holds while an InputProtection lives; without one nothing is remembered, so that other
- * programs may use the readers and writers as they like. Every function may be called by several
- * threads at once.
+ * Inputs are protected while an InputProtection exists; without one nothing is remembered, so that
+ * other programs may use the readers and writers as they like. Every function may be called by
+ * several threads at once.
  */
 #ifndef novelview_InputFile_h
 #define novelview_InputFile_h
@@ -17,7 +17,7 @@
 
 namespace novelview
 {
-/** While one of these lives, inputs are remembered and kept. One at a time. */
+/** While an object of this class exists, inputs are remembered and protected. One at a time. */
 class InputProtection
 {
 public:
@@ -29,7 +29,7 @@ public:
 
 /**
  * The bytes of a file, which becomes an input. Throws Error, naming it, when there is none, when it
- * is no regular file (a pipe or a device might never end), and when it cannot be read.
+ * is not a regular file (a pipe or a device might never end), and when it cannot be read.
  */
 std::string ReadInputFile(const std::filesystem::path& file);
 
@@ -46,7 +46,7 @@ std::string ReadInputStart(const std::filesystem::path& file, std::size_t count)
 void ProtectInput(const std::filesystem::path& file);
 
 /**
- * Tells that a file will be written. Throws Error as RequireReplaceable() does, and when it is
+ * Announces that a file will be written. Throws Error as RequireReplaceable() does, and when it is
  * announced already.
  */
 void AnnounceOutput(const std::filesystem::path& file);
@@ -57,7 +57,7 @@ bool IsInput(const std::filesystem::path& file);
 /** Throws Error when a file, which is about to be written, is an input, or no regular file. */
 void RequireReplaceable(const std::filesystem::path& file);
 
-/** Takes note that a file has been written: whoever reads it now reads no input. */
+/** Records that a file has been written; reading it from now on does not make it an input. */
 void NoteWritten(const std::filesystem::path& file);
 
 /** The exception to the promise: this input may be replaced, once its new contents are whole. */

@@ -83,7 +83,7 @@ void CheckEncoding(const std::string& text, const std::string& where)
     const std::size_t length = Utf8Length(text, at);
     if (length == 0)
     {
-      throw Error(PlaceOf(text, at, where), "is no JSON: its text is no UTF-8");
+      throw Error(PlaceOf(text, at, where), "is not JSON: its text is not UTF-8");
     }
     at += length;
   }
@@ -113,7 +113,7 @@ void CheckNesting(const std::string& text, const std::string& where)
   }
 }
 
-/** Builds the value, and says in its own words where a text is no JSON. */
+/** Builds the value, and reports where a text is not JSON. */
 class JsonExaminer : public nlohmann::json_sax<Json>
 {
 public:
@@ -173,7 +173,7 @@ public:
     {
       throw Error(place, "number is out of range", WordAt(this->Text, begin), "at most 1.8e308");
     }
-    throw Error(place, "is no JSON", WordAt(this->Text, begin), this->Expected(begin));
+    throw Error(place, "is not JSON", WordAt(this->Text, begin), this->Expected(begin));
   }
 
 private:
@@ -216,7 +216,7 @@ private:
     return *this->Member = std::move(value);
   }
 
-  /** What could stand at a place instead; the last sign before it tells. */
+  /** What is expected at a position, from the last character before it. */
   std::string Expected(std::size_t at) const
   {
     const std::size_t before =

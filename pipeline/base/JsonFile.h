@@ -15,7 +15,7 @@ constexpr int MaxJsonNesting = 64;
 
 /**
  * A JSON value from its text. Throws Error, naming `where`, line and column, and what was expected
- * there; also when it is nested too deep, is no UTF-8, or an object has a key twice.
+ * there; also when it is nested too deep, is not UTF-8, or an object has a key twice.
  */
 nlohmann::ordered_json ParseJson(const std::string& text, const std::string& where);
 

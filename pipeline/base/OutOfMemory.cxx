@@ -41,7 +41,7 @@ OutOfMemoryIsCaught::~OutOfMemoryIsCaught()
   --Catching;
 }
 
-void SayLastError(const char* text)
+void PrintLastError(const char* text)
 {
   const auto part = [](const char* bytes)
   {
@@ -60,7 +60,7 @@ void EndWithError(const char* text)
   {
     ::pause();
   }
-  SayLastError(text);
+  PrintLastError(text);
   // Other threads still run; nothing of theirs shall be waited for or torn down.
   ::_exit(EXIT_FAILURE);
 }

@@ -20,8 +20,8 @@ public:
   void operator=(const OutOfMemoryIsCaught&) = delete;
 };
 
-/** Says one line of error in any thread, past the console; needs no memory. */
-void SayLastError(const char* text);
+/** Prints one line of error from any thread, bypassing the console; allocates no memory. */
+void PrintLastError(const char* text);
 
 /** The same, and ends the process with exit code 1. */
 [[noreturn]] void EndWithError(const char* text);

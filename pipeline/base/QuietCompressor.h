@@ -11,7 +11,7 @@
 
 namespace novelview
 {
-/** A compressor of VTK that prints nothing: what its functions return tells whether they failed. */
+/** A compressor of VTK that prints nothing: errors are reported by return values only. */
 class QuietCompressor
 {
 public:
@@ -20,7 +20,7 @@ public:
   /** The bytes compressed; empty = failed. */
   std::string Compress(std::string_view bytes);
 
-  /** Puts what a block holds at `to`; false when that is not `size` bytes. */
+  /** Puts what a block contains at `to`; false when that is not `size` bytes. */
   bool Uncompress(std::string_view block, char* to, std::size_t size);
 
 private:

@@ -5,9 +5,10 @@
 namespace novelview
 {
 /**
- * While one of these lives, what the process writes to its standard error is dropped. For libraries
- * that print about bad files on their own (libpng and libjpeg below OpenCV do, and cannot be told
- * not to); the caller says what is wrong. May be used by several threads at once.
+ * While an object of this class exists, the standard error of the process is discarded. For
+ * libraries that print about bad files on their own (libpng and libjpeg below OpenCV do, and this
+ * cannot be switched off); the caller reports the error. May be used by several threads at the same
+ * time.
  */
 class StderrSilence
 {

@@ -21,7 +21,7 @@ namespace
 {
 constexpr const char* Prefix = ".novelview-tmp.";
 
-/** Removes a file that a killed run has left: nobody holds its lock. */
+/** Removes a file that a killed run has left: one that is not locked. */
 void RemoveIfLeft(const fs::path& file)
 {
   const int descriptor = ::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOFOLLOW);
@@ -122,7 +122,7 @@ bool TemporaryFile::Create(int attempt)
     }
     return false;
   }
-  // Where a file system has no locks the file does without; then nobody removes it either.
+  // On a file system without locks the file is not locked; then it is not removed either.
   struct stat status = {};
   if (::flock(this->Descriptor, LOCK_EX) == 0 && ::fstat(this->Descriptor, &status) == 0 &&
     status.st_nlink == 0)

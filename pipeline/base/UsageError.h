@@ -6,7 +6,7 @@
 
 namespace novelview
 {
-/** The user asked for something that is no option, or gave it a value it cannot take. */
+/** The user gave an unknown option or an invalid value. */
 class UsageError : public Error
 {
 public:

@@ -12,7 +12,7 @@ namespace novelview
 {
 /**
  * In which convention a file states its cameras. Every format has its own; what is given here
- * besides goes over it, for files that depart from their format. "format" and no value mean the
+ * overrides it, for files that depart from their format. "format" and no value mean the
  * format's own.
  */
 struct CameraConvention
@@ -25,7 +25,7 @@ struct CameraConvention
   std::string RotationOrder = "format";
   /** The coordinate of the centre of the top-left pixel, 0 or 0.5. */
   std::optional<double> PixelCentre;
-  /** The camera's y and the pixels' v point up (left-handed frames, or pictures upside down). A
+  /** The camera's y and the pixels' v point up (left-handed frames, or images upside down). A
    * world that is left-handed, too, is mirrored in y, so results are as well. */
   bool FlipY = false;
   /** The object is black in the masks. */
@@ -35,7 +35,7 @@ struct CameraConvention
 /** The project's own convention, which is OpenCV's; see Camera.h. */
 CameraConvention ProjectConvention();
 
-/** `own`, but where `given` says something else. */
+/** `own`, except where `given` states another. */
 CameraConvention Override(CameraConvention own, const CameraConvention& given);
 
 /**

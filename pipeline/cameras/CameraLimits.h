@@ -13,7 +13,7 @@ namespace novelview
 /** Of a photograph's width and height, pixels. */
 constexpr int MaxExtentPx = 1 << 20;
 
-/** A width or height from a file, where 0 or less says nothing and becomes 0. Throws Error. */
+/** A width or height from a file, where 0 or less means unknown and becomes 0. Throws Error. */
 inline int ExtentOf(double value, const std::string& what, const std::string& where)
 {
   if (!(value <= MaxExtentPx))

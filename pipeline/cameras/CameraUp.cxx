@@ -21,7 +21,7 @@ Eigen::Vector3d UpOfCameras(const std::vector<Camera>& cameras)
   {
     return up.normalized();
   }
-  // The pictures do not agree on what is up; then it is the axis that the cameras stand around.
+  // The images do not agree on what is up; then it is the axis that the cameras stand around.
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
   for (const Camera& camera : cameras)
   {
@@ -30,7 +30,7 @@ Eigen::Vector3d UpOfCameras(const std::vector<Camera>& cameras)
   }
   const Eigen::Vector3d axis =
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(0);
-  // Either end may be up: the one that the pictures lean to, or else that of a positive coordinate.
+  // Either end may be up: the one that the images lean to, or else that of a positive coordinate.
   Eigen::Index largest = 0;
   axis.cwiseAbs().maxCoeff(&largest);
   const double lean = std::abs(axis.dot(up)) > 0.2 ? axis.dot(up) : axis[largest];

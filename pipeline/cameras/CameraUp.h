@@ -9,7 +9,7 @@
 namespace novelview
 {
 /**
- * The direction of the world that is up, of length 1: in the cameras' pictures or, when those
+ * The direction of the world that is up, of length 1: in the cameras' images or, when those
  * disagree (photographs may be turned by a quarter), the axis that the cameras stand around.
  */
 Eigen::Vector3d UpOfCameras(const std::vector<Camera>& cameras);

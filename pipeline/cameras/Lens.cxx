@@ -22,7 +22,7 @@ constexpr std::array<std::size_t, 5> PerspectiveCounts{ 4, 5, 8, 12, 14 };
 constexpr std::size_t FisheyeCount = 4;
 constexpr double MaxCoefficient = 1e6; ///< of either sign; those of real lenses are far below
 
-/** The coefficients with zeros at the end, as many as OpenCV wants. */
+/** The coefficients with zeros at the end, as many as OpenCV expects. */
 cv::Mat Padded(const Lens& lens)
 {
   const std::size_t count = lens.Coefficients.size();

@@ -51,7 +51,7 @@ void ValidateLens(const Lens& lens, const std::string& where);
 Eigen::Vector2d Distort(const Lens& lens, const Eigen::Matrix3d& K, const Eigen::Vector2d& pixel);
 
 /**
- * The picture (any number of channels) that a pinhole with the same K would have taken, of the same
+ * The image (any number of channels) that a pinhole with the same K would have taken, of the same
  * size. Bilinear; where it shows what the photograph does not hold it is 0.
  */
 Image<std::uint8_t> Undistorted(

@@ -48,14 +48,15 @@ std::filesystem::path FileIn(
   const std::vector<std::filesystem::path>& folders, const std::string& name);
 
 /**
- * The name a photograph goes by in its data set: its path, made relative to the folder and without
+ * The name of a photograph in its data set: its path, made relative to the folder and without
  * anything that leads out of it; a leading images/ is left out.
  */
 std::string NameOfFile(const std::filesystem::path& file);
 
 /**
- * The name of a view's picture in the folder that it is written into: NameOfFile(), with .png after
- * it where there is no extension of a format that can be written. Throws Error when nothing is left.
+ * The name of a view's image in the folder that it is written into: NameOfFile(), with .png after
+ * it where there is no extension of a format that can be written. Throws Error when nothing is
+ * left.
  */
 std::string PictureNameOf(const std::string& view);
 }

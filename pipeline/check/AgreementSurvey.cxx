@@ -9,7 +9,9 @@ namespace novelview
 {
 namespace
 {
-/** A ray agrees when it comes this near to the hull, px: rim pixels are a matter of rounding. */
+/**
+ * A ray agrees if its distance to the hull is at most this, px: boundary pixels depend on rounding.
+ */
 constexpr double TolerancePx = 1;
 
 /** Numbers of rays that agree: with all views, and without each. */

@@ -21,7 +21,7 @@ struct AgreementSurvey
   std::vector<double> Iou;
   double MeanIou = 0;
   /**
-   * Part of the other views' contour rays that would meet the hull but for this view, among those
+   * Part of the other views' contour rays that would meet the hull without this view, among those
    * whose rays do not.
    */
   std::vector<double> ExclusivelyCarved;

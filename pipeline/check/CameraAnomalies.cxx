@@ -125,7 +125,7 @@ std::vector<CameraAnomaly> FindCameraAnomalies(const std::vector<Photograph>& ca
       anomalies.push_back({ "frustum", static_cast<int>(i),
         "no point of its axis lies in the frames of more than " +
           std::to_string(static_cast<int>(std::lround(100 * share))) +
-          " % of the other cameras: its pose is wrong, or it looks elsewhere",
+          " % of the other cameras: its pose is wrong, or it faces away from the object",
         -1 });
     }
   }

@@ -25,7 +25,7 @@ struct CheckContext
   void Add(CheckSeverity severity, const std::string& kind, const std::string& view,
     const std::string& text);
 
-  /** Inspects the photographs of the cameras, with the masks' polarity as these say. */
+  /** Inspects the photographs of the cameras, with the masks' polarity as these state. */
   void Inspect(const std::vector<Photograph>& cameras);
 
   /** Takes over the cameras. Those without a size in the calibration take that of the photograph. */

@@ -22,7 +22,7 @@ cv::Mat LumaOf(const ImageRef<const std::uint8_t>& color)
   return luma;
 }
 
-/** The mask as the stages would see it but for the lens. */
+/** The mask as the stages would see it, without undistortion. */
 Image<std::uint8_t> Upright(const FoundMask& found, bool invert)
 {
   Image<std::uint8_t> mask = found.Pixels;

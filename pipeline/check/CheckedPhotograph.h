@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/** What can be said about each photograph of a data set by itself. */
+/** Measurements of single photographs of a data set. */
 #ifndef novelview_CheckedPhotograph_h
 #define novelview_CheckedPhotograph_h
 
@@ -12,7 +12,7 @@
 
 namespace novelview
 {
-/** A photograph that has been looked at. */
+/** A photograph that has been inspected. */
 struct CheckedPhotograph
 {
   std::string Name;
@@ -37,16 +37,16 @@ CheckedPhotograph InspectPhotograph(
   const Photograph& photograph, bool forceSilhouette, const SilhouetteOptions& silhouette);
 
 /**
- * How fine the finest structures of a picture are, whatever they show: the mean difference of the
+ * How fine the finest structures of an image are, whatever they show: the mean difference of the
  * luma from itself blurred by 1 px over that between 1 and 3 px blur, where the mask (grown by
- * 3 px) is. About 1 for fine texture, 0.2 for a picture blurred by 2 px. 0 where there is nothing.
+ * 3 px) is. About 1 for fine texture, 0.2 for an image blurred by 2 px. 0 where there is nothing.
  */
 double MeasureSharpness(
   const ImageRef<const std::uint8_t>& color, const ImageRef<const std::uint8_t>& mask);
 
 /**
  * Which values stand out: further from the median than `factor` (as a ratio, above 1), and than
- * four standard deviations as the median deviation tells them. Negative side only with `below`
+ * four standard deviations, estimated from the median deviation. Negative side only with `below`
  * alone. Values that are 0 are unknown and never stand out.
  */
 struct OutlierSides

@@ -13,7 +13,7 @@
 
 namespace novelview
 {
-/** A silhouette as its file has it: neither inverted nor undistorted. */
+/** A silhouette as stored in its file: neither inverted nor undistorted. */
 struct FoundMask
 {
   Image<std::uint8_t> Pixels; ///< empty = there is none, or it cannot be used

@@ -50,7 +50,7 @@ void ReportConvention(
   {
     changes.push_back("mask polarity");
   }
-  const std::string way = finding.Options.empty() ? "without the options that say how it is read"
+  const std::string way = finding.Options.empty() ? "without the options that change how it is read"
                                                   : "with " + Joined(finding.Options, " ");
   finding.Text = "the silhouettes agree only when read " + way + " (" + Joined(changes, " and ") +
     "): hull IoU " +
@@ -66,7 +66,7 @@ void ReportConvention(
   context.Report.Findings.push_back(finding);
 }
 
-/** Reads the data set in the convention that was found, and says so when it is another one. */
+/** Reads the data set in the convention that was found, and reports it when it is another one. */
 void ApplyConvention(CheckContext& context, const CameraConvention& own)
 {
   const ConventionTrial& chosen = context.Report.Trials[context.Report.ChosenTrial];

@@ -8,7 +8,7 @@ namespace novelview
 {
 /**
  * Finds the convention with which the silhouettes agree, and the masks' polarity; reads the data set
- * so, and says so when that is not how it was read.
+ * so, and reports it when that is not how it was read.
  */
 void CheckConvention(CheckContext& context);
 }

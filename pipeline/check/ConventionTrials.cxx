@@ -57,7 +57,7 @@ const char* Other(const std::string& value, const char* a, const char* b)
   return value == a ? b : a;
 }
 
-/** Every combination of the four mistakes; bit i of the number says whether i is changed. */
+/** Every combination of the four mistakes; bit i of the number is set if i is changed. */
 std::vector<ConventionTrial> AllTrials(const CameraConvention& own, const CameraConvention& now)
 {
   std::vector<ConventionTrial> trials;

@@ -35,7 +35,7 @@ std::vector<ConventionTrial> TryConventions(const std::filesystem::path& folder,
 /** The best of them: among about equals (0.02 of IoU) the one with the fewest changes. */
 std::size_t ChooseTrial(const std::vector<ConventionTrial>& trials);
 
-/** The convention a calibration is stated in when nothing else is said. */
+/** The convention of a calibration without other options. */
 CameraConvention OwnConvention(const std::filesystem::path& folder, const DatasetSource& source);
 
 /** The options that make the program read a calibration of convention `own` as `wanted`. */

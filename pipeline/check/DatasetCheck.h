@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/** The examination of a data set: what it holds, what is wrong with it, and what would mend it. */
+/**
+ * The checks of a data set: its contents, its problems, and how to correct them.
+ */
 #ifndef novelview_DatasetCheck_h
 #define novelview_DatasetCheck_h
 

@@ -27,13 +27,13 @@ void CheckMasks(CheckContext& context)
   if (given == 0)
   {
     context.Add(CheckSeverity::Note, "mask-missing", "",
-      "no masks: silhouettes are taken from the photographs");
+      "no masks: silhouettes are extracted from the photographs");
     return;
   }
   for (const std::string& name : without)
   {
     context.Add(CheckSeverity::Warning, "mask-missing", name,
-      "has no mask, others have; its silhouette is taken from the photograph");
+      "has no mask, others have; its silhouette is extracted from the photograph");
   }
 }
 }

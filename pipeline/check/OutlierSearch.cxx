@@ -17,7 +17,7 @@ constexpr int TotalRays = 2400; ///< of each kind, over all views
 
 /** From this part of the others' contour rays on, a view that stands out is outlier. */
 constexpr double MinExclusivelyCarved = 0.05;
-/** It stands out by so many times the median view. */
+/** An outlier exceeds the median view by this factor. */
 constexpr double Outstanding = 4;
 /** A silhouette so much less in the hull than the median one holds what the object is not. */
 constexpr double LowIou = 0.08;
@@ -116,7 +116,7 @@ bool OutlierSearch::AgreesWithRest(const std::vector<int>& more) const
       return false;
     }
   }
-  // A rest that does not agree by itself proves nothing.
+  // If the remaining views do not agree, nothing is proved.
   return survey.MeanIou > MinMean;
 }
 
@@ -202,7 +202,7 @@ void OutlierSearch::ExplainSwaps()
   }
 }
 
-/** Asks the photograph itself. */
+/** Determines the cause from the photograph itself. */
 OutlierView OutlierSearch::ExplainByPhotograph(int id)
 {
   const std::string against = this->DescribeExclusivelyCarved(id);
@@ -211,7 +211,7 @@ OutlierView OutlierSearch::ExplainByPhotograph(int id)
   {
     return { id, "view",
       "does not fit the others: " + against +
-        "; the silhouette taken from the photograph, the photograph or its camera is wrong" };
+        "; the silhouette extracted from the photograph, the photograph or its camera is wrong" };
   }
   const FoundMask seen{ this->Seen(id), MaskSource::Extracted };
   if (this->AgreesWith(id, seen, false))

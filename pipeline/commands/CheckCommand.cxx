@@ -65,7 +65,7 @@ std::string MasksText(const CheckReport& report)
   std::vector<std::string> words;
   for (const auto& [source, name] :
     { std::pair(MaskSource::File, " files"), std::pair(MaskSource::Alpha, " alpha channels"),
-      std::pair(MaskSource::Extracted, " taken from the photographs") })
+      std::pair(MaskSource::Extracted, " extracted from the photographs") })
   {
     const auto count = std::count_if(report.Photographs.begin(), report.Photographs.end(),
       [&, wanted = source](const CheckedPhotograph& photograph)
@@ -110,7 +110,7 @@ std::string FindingLine(const CheckFinding& finding)
     "{:<8} {:<15} {}", SeverityName(finding.Severity), finding.Kind, FindingText(finding));
 }
 
-/** Tells of problems where the table is not to be seen. */
+/** Prints the problems where the table is not visible. */
 void ReportProblems(const CheckReport& report, Console& console)
 {
   for (const CheckFinding& finding : report.Findings)
@@ -190,9 +190,8 @@ std::vector<std::string> CheckTable(const CheckReport& report)
     lines.push_back(ViewRow(report, i, nameWidth));
   }
   lines.push_back(fmt::format("hull IoU     {:.3f} in the mean", report.MeanIou) +
-    (report.MeanIouAfter
-        ? fmt::format(", {:.3f} without the views that are blamed", *report.MeanIouAfter)
-        : ""));
+    (report.MeanIouAfter ? fmt::format(", {:.3f} without the outlier views", *report.MeanIouAfter)
+                         : ""));
   for (const CheckFinding& finding : report.Findings)
   {
     lines.push_back(FindingLine(finding));

@@ -12,7 +12,7 @@
 namespace novelview
 {
 /**
- * Examines a data set and tells what was found: a table on the console and, with an out folder,
+ * Examines a data set and reports the findings: a table on the console and, with an output folder,
  * `check.json` (everything that was measured) and `cameras.png` (see DrawCheckedCameras()). Returns
  * whether there are no problems. Throws as CheckDataset().
  */

@@ -14,7 +14,7 @@ namespace novelview
 struct CheckOptions
 {
   DatasetInput Input;
-  std::filesystem::path Out; ///< gets check.json and the picture of the cameras; empty = neither
+  std::filesystem::path Out; ///< gets check.json and the image of the cameras; empty = neither
   int Threads = ProgramParameters::Threads.Default;
 };
 

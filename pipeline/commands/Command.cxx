@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* FolderHelp = "folder of the photographs";
 constexpr const char* JobHelp =
-  "folder of the photographs, or a JSON job file that holds any of the options";
+  "folder of the photographs, or a JSON job file with any of the options";
 
 template <class Options>
 Options DefaultsOf()
@@ -81,6 +81,7 @@ Command Shared(const char* name, const char* help,
                      const fs::path& dataset, const ParsedArguments& given, CommandContext& context)
   {
     const Options options = make(dataset, given, WarnOn(context.Out));
+    LimitThreads(options.Threads);
     work(options, context.Out, context.StartProcesses(options.RankTimeoutSeconds));
     return ExitCode::Ok;
   };
@@ -91,24 +92,24 @@ Command Shared(const char* name, const char* help,
 std::vector<Command> CommandTable()
 {
   return {
-    Single("generate", "photograph an object with virtual cameras and write the data set", "",
+    Single("generate", "render an object with virtual cameras and write the data set", "",
       MakeGenerateOptions, Generate),
     Single("run", "make one novel view and report everything about it", JobHelp, MakeRunOptions,
       RunView),
     Shared(
       "render", "make many novel views from one hull and crust", MakeRenderOptions, RenderViews),
     Shared(
-      "orbit", "make a film of the object from a moving camera", MakeOrbitOptions, RenderOrbit),
+      "orbit", "make a video of the object from a moving camera", MakeOrbitOptions, RenderOrbit),
     Single("mesh", "make a textured mesh of the whole object", JobHelp, MakeMeshOptions, MakeMesh),
-    Shared("evaluate", "compare novel views with photographs that no stage saw",
+    Shared("evaluate", "compare novel views with photographs that no stage uses",
       MakeEvaluateOptions, EvaluateDataset),
-    Single("convert", "write a data set in another format, photographs and masks along", FolderHelp,
+    Single("convert", "write a data set in another format, with photographs and masks", FolderHelp,
       MakeConvertOptions, ConvertDataset),
     Single("check",
-      "examine a data set: files, masks, cameras, conventions; exit code 3 when something is wrong",
+      "examine a data set: files, masks, cameras, conventions; exit code 3 if there are problems",
       FolderHelp, MakeCheckOptions, RunCheck),
-    Single("mask", "write a mask for every photograph, and a contact sheet to look at", FolderHelp,
-      MakeMaskOptions, WriteMasks),
+    Single("mask", "write a mask for every photograph, and a contact sheet for inspection",
+      FolderHelp, MakeMaskOptions, WriteMasks),
   };
 }
 }

@@ -38,7 +38,7 @@ struct Command
   std::string Help;
   std::string DatasetHelp; ///< of the word DATASET; empty = the command takes none
   bool Shared = false;     ///< the processes of mpirun share the work
-  /** Shows the option table with the defaults of the command; it is gone afterwards. */
+  /** Shows the option table with the defaults of the command; it is valid only during the call. */
   std::function<void(const std::function<void(const OptionTable&)>& show)> ShowOptions;
   /** Parses the options and does the work; returns the exit code. Throws UsageError and Error. */
   std::function<int(

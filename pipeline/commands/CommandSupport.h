@@ -24,18 +24,18 @@ void PrepareFolder(
 /** The calibration of the photographs. */
 DatasetIndex FindInput(const DatasetInput& input);
 
-/** Says what reading the calibration ignored, guessed or changed; ReadInput() does, too. */
+/** Prints what reading the calibration ignored, guessed or changed; ReadInput() does, too. */
 void WarnOf(const DatasetIndex& index, Console& console);
 
-/** Reads the photographs, but for those that are excluded or held out, and says the warnings. */
+/** Reads the photographs, except those that are excluded or held out, and prints the warnings. */
 Dataset ReadInput(const DatasetInput& input, const DatasetIndex& index,
   const std::vector<std::string>& heldOut, Console& console);
 
-/** A listener that tells the console everything but the iterations. */
+/** A listener that reports everything except the iterations to the console. */
 SynthesisListener ListenerFor(Console& console);
 
 /**
- * The picture a novel view is compared with, arrays Color and Mask; undistorted, and without a mask
+ * The image a novel view is compared with, arrays Color and Mask; undistorted, and without a mask
  * the silhouette is taken from the picture. Throws Error when it is not of the camera's size.
  */
 vtkSmartPointer<vtkImageData> ReadTruth(

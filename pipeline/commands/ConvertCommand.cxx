@@ -104,7 +104,7 @@ void CheckFolder(const fs::path& from, const fs::path& out, const std::vector<Fi
           [&](const FileContent& file) { return out / file.Path == other.File; }))
     {
       throw UsageError(out.string(),
-        "holds another data set already: " + other.File.lexically_relative(out).string());
+        "already contains another data set: " + other.File.lexically_relative(out).string());
     }
   }
 }

@@ -17,7 +17,7 @@ OptionTable OptionsOf(ConvertOptions& options)
     { "format", "format to write", "", convert, &options.Format, -Unlimited, Unlimited,
       WritableFormatNames() },
     { "exclude", "photographs to leave out", "", convert, &options.Exclude },
-    { "undistort", "undistort photographs also where the format could hold the distortion", "",
+    { "undistort", "undistort photographs also where the format can represent the distortion", "",
       convert, &options.Undistort },
   };
   table.front().Positional = true;

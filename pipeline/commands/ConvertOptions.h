@@ -20,7 +20,7 @@ struct ConvertOptions
   std::filesystem::path Out;        ///< another folder
   std::string Format;               ///< a name of DatasetFormats.h
   std::vector<std::string> Exclude; ///< photographs to leave out
-  bool Undistort = false;           ///< also where the format could hold the distortion
+  bool Undistort = false;           ///< also where the format can represent the distortion
   int Threads = ProgramParameters::Threads.Default;
 };
 

@@ -61,7 +61,7 @@ vtkSmartPointer<vtkMultiBlockDataSet> Without(
   return kept;
 }
 
-/** The picture as it is compared: black outside its mask. */
+/** The image as it is compared: black outside its mask. */
 vtkSmartPointer<vtkImageData> Blackened(vtkImageData* picture)
 {
   const auto color = TopDownArray<const std::uint8_t>(picture, arrays::Color, 3, "truth", true);
@@ -83,13 +83,13 @@ vtkSmartPointer<vtkImageData> Blackened(vtkImageData* picture)
   return result;
 }
 
-/** The picture of a view after a stage, in the out folder. */
+/** The image of a view after a stage, in the out folder. */
 fs::path PictureOf(const std::string& view, const std::string& stage)
 {
   return fs::path(PictureNameOf(view)).replace_extension("." + stage + ".png");
 }
 
-/** With pictures of more views a page would be larger than browsers like. */
+/** With images of more views a page would be larger than browsers like. */
 constexpr std::size_t MaxShots = 24;
 
 /** One evaluation: what is made of the plan, and what is left in the folder. */
@@ -182,7 +182,7 @@ private:
   /** Reads the photographs in the first process, which returns them, and hands them out. */
   vtkSmartPointer<vtkMultiBlockDataSet> ReadViews()
   {
-    // With one set what it holds out is not even read; several sets share what is read once.
+    // With one set its held-out photographs are not read; several sets share what is read once.
     const bool alone = this->Plan.Sets.size() == 1;
     Dataset dataset;
     if (this->Writes())
@@ -267,7 +267,7 @@ private:
     }
   }
 
-  /** In the first process: keeps the scores of a view and writes its pictures. */
+  /** In the first process: keeps the scores of a view and writes its images. */
   void Keep(const Item& item, const WorkResult& result)
   {
     EvaluatedView& view = this->Views.emplace_back();

@@ -19,7 +19,7 @@ namespace novelview
  *     NAME.STAGE.png   the predictions, and overview.png, a contact sheet; with options.Pictures
  *
  * Scores are written last, so a folder with scores.json is complete. Throws Error, naming the view,
- * and Interrupted when the console asks for a stop.
+ * and Interrupted when the console requests a stop.
  */
 void EvaluateDataset(const EvaluateOptions& options, Console& console, ProcessGroup& processes);
 }

@@ -19,8 +19,9 @@ OptionTable OptionsOf(EvaluateOptions& options)
     { "leaveOneOut", "predict each photograph from all others; else the data set's test views", "",
       evaluate, &options.LeaveOneOut },
     { "trueMesh",
-      "true mesh, to tell how good the pictures could be; truth.ply beside test views is found", "",
-      evaluate, &options.TrueMesh },
+      "true mesh, for the oracle: an upper bound for any geometry; truth.ply beside test views is "
+      "detected",
+      "", evaluate, &options.TrueMesh },
     { "pictures", "write the picture of every view and stage, and an overview", "", evaluate,
       &options.Pictures },
     { "report", "write report.html, a page with everything about the evaluation", "", evaluate,

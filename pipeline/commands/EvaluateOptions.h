@@ -14,8 +14,8 @@ struct EvaluateOptions
   : MethodOptions
   , HoldOutOptions
 {
-  std::filesystem::path Out; ///< gets the scores, the chart and the pictures
-  bool Pictures = true;      ///< write the views' pictures and the overview
+  std::filesystem::path Out; ///< gets the scores, the chart and the images
+  bool Pictures = true;      ///< write the views' images and the overview
   bool Page = true;          ///< write report.html
   /** Of several processes; 0 = never. */
   int RankTimeoutSeconds = ProgramParameters::RankTimeoutSeconds.Default;

@@ -25,7 +25,7 @@ OptionTable OptionsOf(GenerateOptions& options);
 GenerateOptions MakeGenerateOptions(const std::filesystem::path& dataset,
   const ParsedArguments& given, const OptionWarning& warn = {});
 
-/** Writes the data set. Throws Error, and Interrupted when the console asks for a stop. */
+/** Writes the data set. Throws Error, and Interrupted when the console requests a stop. */
 void Generate(const GenerateOptions& options, Console& console);
 }
 

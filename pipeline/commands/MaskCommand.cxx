@@ -63,7 +63,7 @@ std::vector<Photograph> PhotographsOf(const MaskOptions& options, Console& conso
       return WithoutExcluded(index, options.Exclude);
     }
   }
-  throw Error(options.Dataset.string(), "holds neither a calibration nor a photograph");
+  throw Error(options.Dataset.string(), "contains neither a calibration nor a photograph");
 }
 
 /** The name of a photograph's mask in mask/, one that MaskFileOf() looks for. */
@@ -89,7 +89,7 @@ std::vector<MaskTask> PlanMasks(const MaskOptions& options, Console& console)
       if (task.Target.extension() != ".png")
       {
         throw UsageError(task.Target.string(),
-          "this mask is no PNG file and would still be the one that is read; take it away first");
+          "this mask is not a PNG file and would still be the one that is read; remove it first");
       }
     }
     std::error_code failure;
@@ -156,7 +156,7 @@ Image<std::uint8_t> ByGrabCut(const Image<std::uint8_t>& color, const MaskOption
   return GrabCutSilhouette(color.Ref(), grabCut);
 }
 
-/** How the object is told from the background by the methods that compare colours. */
+/** How the object is distinguished from the background by the methods that compare colours. */
 SilhouetteOptions SilhouetteOptionsOf(const MaskOptions& options)
 {
   SilhouetteOptions silhouette = options.Silhouette;

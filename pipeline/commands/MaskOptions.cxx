@@ -21,7 +21,7 @@ OptionTable OptionsOf(MaskOptions& options)
       "channel or, without, plain",
       "", mask, &options.Method, -Unlimited, Unlimited,
       { "auto", "alpha", "plain", "dark", "chroma", "grabcut" } },
-    { "key", "background's colour R,G,B for chroma; found at the border when not given", "levels",
+    { "key", "background's colour R,G,B for chroma; detected at the border if not given", "levels",
       mask, &options.Key, 0, 255 },
     { "box", "x0,y0,x1,y1 around the object in every photograph, for grabcut", "px", mask,
       &options.Box, -Unlimited, Unlimited },

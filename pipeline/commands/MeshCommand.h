@@ -16,7 +16,10 @@ void MakeMesh(const MeshOptions& options, Console& console);
 /** Announces the files of a mesh and proves that their folders can be written. Throws Error. */
 void PrepareModelFiles(const std::vector<std::filesystem::path>& files);
 
-/** Colours a mesh from the views and writes it into every file; says where. Throws Error and Interrupted. */
+/**
+ * Colours a mesh from the views, writes it into every file, and prints the names. Throws Error and
+ * Interrupted.
+ */
 void WriteModelFiles(vtkPolyData* mesh, vtkMultiBlockDataSet* views,
   const SynthesisOptions& synthesis, int textureSizePx,
   const std::vector<std::filesystem::path>& files, Console& console);

@@ -3,6 +3,7 @@
 #define novelview_MeshOptions_h
 
 #include "commands/MethodOptions.h"
+#include "texture/TextureAtlasOptions.h"
 
 #include <filesystem>
 #include <vector>
@@ -14,7 +15,7 @@ struct MeshOptions : MethodOptions
 {
   std::vector<std::filesystem::path> Out; ///< files, see ModelFile.h
   /** Of the texture, at most. */
-  int TextureSizePx = TextureAtlasParameters::LargestSidePx.Default;
+  int TextureSizePx = TextureAtlasOptions::LargestSidePxParameter.Default;
 };
 
 /** The table: what the options are called, their help, units and ranges. */

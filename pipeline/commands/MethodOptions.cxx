@@ -2,6 +2,7 @@
 #include "commands/MethodOptions.h"
 
 #include "base/UsageError.h"
+#include "texture/TextureAtlasOptions.h"
 
 namespace novelview
 {
@@ -19,7 +20,7 @@ Option ThreadsOption(int& threads)
 Option RankTimeoutOption(int& seconds)
 {
   Option option = ParameterOption("rankTimeout",
-    "end the run of several processes (mpirun) when one of them is silent for so long; 0 = never",
+    "end the run of several processes (mpirun) when one of them is silent for this long; 0 = never",
     "Program", &seconds, ProgramParameters::RankTimeoutSeconds);
   option.InJob = false;
   return option;
@@ -28,7 +29,7 @@ Option RankTimeoutOption(int& seconds)
 Option TextureSizeOption(int& sizePx, const char* group)
 {
   return ParameterOption("textureSize", "largest side of a mesh's texture", group, &sizePx,
-    TextureAtlasParameters::LargestSidePx);
+    TextureAtlasOptions::LargestSidePxParameter);
 }
 
 OptionTable WithMethod(OptionTable table, MethodOptions& options)

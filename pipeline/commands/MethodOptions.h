@@ -18,7 +18,7 @@ struct ProgramParameters
   static constexpr Parameter<int> RankTimeoutSeconds{ 300, 0, 86400, "s" };
 };
 
-/** What every command that makes novel views of a data set can be told. */
+/** The options of every command that makes novel views of a data set. */
 struct MethodOptions
 {
   DatasetInput Input;
@@ -40,8 +40,8 @@ OptionTable WithMethod(OptionTable table, MethodOptions& options);
 /**
  * Sets the options of a command from what was given: `dataset` is a folder, or a JSON file that holds
  * any of the options ("dataset" among them). The command line overrides the file, which overrides the
- * preset. A preset on the command line replaces all stage options of the file. `warn` hears of former
- * names. Throws UsageError, also when there is no data set.
+ * preset. A preset on the command line replaces all stage options of the file. `warn` receives
+ * former names. Throws UsageError, also when there is no data set.
  */
 void MergeOptions(const std::filesystem::path& dataset, const ParsedArguments& given,
   const OptionTable& table, SynthesisOptions (*defaultsOf)(const std::string&),

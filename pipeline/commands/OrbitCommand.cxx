@@ -27,7 +27,7 @@ std::string FrameName(std::size_t frame)
   return name;
 }
 
-/** Where the pictures go; empty = nowhere. */
+/** Where the images go; empty = nowhere. */
 fs::path FramesFolder(const OrbitOptions& options)
 {
   return !options.FramesDir.empty() || IsVideoName(options.Out) ? options.FramesDir : options.Out;
@@ -45,14 +45,14 @@ std::vector<fs::path> FilesOfFrames(std::size_t count)
   return files;
 }
 
-/** A name that looks like a file's, but of no video, is a slip and not a folder. */
+/** A name that looks like a file's, but of no video, is an error and not a folder. */
 void CheckOut(const fs::path& out)
 {
   std::error_code failure;
   const bool folder = fs::is_directory(out, failure);
   if (!IsVideoName(out) && out.has_extension() && !folder)
   {
-    throw UsageError("--out", "is no video that can be written", out.filename().string(),
+    throw UsageError("--out", "is not a video that can be written", out.filename().string(),
       VideoExtensions() + ", or a folder");
   }
   if (IsVideoName(out) && folder)
@@ -61,7 +61,7 @@ void CheckOut(const fs::path& out)
   }
 }
 
-/** The frames' pictures and cameras in a folder. */
+/** The frames' images and cameras in a folder. */
 class FrameFolder
 {
 public:
@@ -181,7 +181,7 @@ void RenderOrbit(const OrbitOptions& options, Console& console, ProcessGroup& pr
   {
     film(nullptr);
   }
-  console.Info((video ? "film: " : "frames: ") + options.Out.string());
+  console.Info((video ? "video: " : "frames: ") + options.Out.string());
   console.Summary();
 }
 }

@@ -13,7 +13,7 @@ OptionTable OptionsOf(OrbitOptions& options)
       &options.Out },
     { "path", "JSON file of key cameras to go through; else once round the cameras' ring", "",
       orbit, &options.Path },
-    { "frames", "frames; 0 = as many as the path's frame numbers or times say, else 72", "", orbit,
+    { "frames", "frames; 0 = as many as the path's frame numbers or times give, else 72", "", orbit,
       &options.Frames, 0, 1000000 },
     { "fps", "frames per second", "1/s", orbit, &options.Fps, 0.1, 1000 },
     { "framesDir", "folder that gets the frames as pictures, too, with their cameras", "", orbit,
@@ -27,8 +27,8 @@ OptionTable OptionsOf(OrbitOptions& options)
 SynthesisOptions OrbitOptions::DefaultsOf(const std::string& preset)
 {
   SynthesisOptions options = PresetOptions(preset);
-  options.SoftBoundary = true;
-  options.BoundarySamples = 5;
+  options.Texture.SoftBoundary = true;
+  options.Texture.BoundarySamples = 5;
   return options;
 }
 

@@ -10,17 +10,20 @@
 
 namespace novelview
 {
-/** A film of the object from a moving camera: `novelview orbit`. */
+/** A video of the object from a moving camera: `novelview orbit`. */
 struct OrbitOptions
   : MethodOptions
   , TrajectoryOptions
 {
   std::filesystem::path Out;       ///< a video, or a folder for the frames
-  std::filesystem::path FramesDir; ///< also gets the frames as pictures; empty = none
+  std::filesystem::path FramesDir; ///< also gets the frames as images; empty = none
   /** Of several processes; 0 = never. */
   int RankTimeoutSeconds = ProgramParameters::RankTimeoutSeconds.Default;
 
-  /** A film is softer at the rim, where else the contour would jump from pixel to pixel. */
+  /**
+   * A video is softer at the silhouette boundary, where the contour would otherwise jump from pixel
+   * to pixel.
+   */
   static SynthesisOptions DefaultsOf(const std::string& preset);
 };
 

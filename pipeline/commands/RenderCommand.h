@@ -10,7 +10,7 @@ namespace novelview
 {
 /**
  * `novelview render`: many views from one hull and crust, into options.Out; shared out between the
- * processes. Throws Error, and Interrupted when the console asks for a stop.
+ * processes. Throws Error, and Interrupted when the console requests a stop.
  */
 void RenderViews(const RenderOptions& options, Console& console, ProcessGroup& processes);
 }

@@ -25,13 +25,13 @@ namespace fs = std::filesystem;
 
 namespace
 {
-/** The picture to compare with; null when there is none. */
+/** The image to compare with; null when there is none. */
 vtkSmartPointer<vtkImageData> TruthOf(const RunOptions& options, const ResolvedView& view)
 {
   Photograph truth = view.Truth;
   if (!options.Truth.empty())
   {
-    // A picture somebody names is as the novel camera would have taken it.
+    // An image given by the user is what the novel camera would have photographed.
     truth = Photograph();
     truth.File = options.Truth;
     truth.Mask = MaskFileOf(options.Truth.parent_path(), options.Truth.filename().string());
@@ -60,7 +60,7 @@ std::string ScoreLine(const std::string& name, const std::optional<Scores>& scor
   return text;
 }
 
-/** Everything but the iterations, which are written as they come: pictures and meshes at once. */
+/** Everything except the iterations, whose images and meshes are written immediately. */
 void WriteReport(
   const std::vector<NovelView>& stages, const NovelView& oracle, Synthesis& made, RunReport& report)
 {
@@ -120,7 +120,7 @@ void WritePage(RunPageInput input, const std::string& jobText, const Console& co
   WriteTextAtomically(input.Folder / "report.html", RunPageHtml(input));
 }
 
-/** Says the scores, and where the results are. */
+/** Prints the scores and the folder of the results. */
 void ReportResult(const RunOptions& options, const RunReport& report, Console& console)
 {
   for (const auto& [name, scores] : report.Stages())
@@ -147,7 +147,7 @@ void RunView(const RunOptions& options, Console& console)
   AnnounceText(options.Out / "job.json", jobText);
   PrepareFolder(options.Out,
     FilesOfRun(
-      options.UpTo, options.Synthesis.OutlineIterations, options.Synthesis.NonOutlineIterations));
+      options.UpTo, options.Synthesis.Outline.Iterations, options.Synthesis.NonOutline.Iterations));
   const auto truth = TruthOf(options, view);
   const auto trueMesh = options.TrueMesh.empty() ? nullptr : LoadObject(options.TrueMesh.string());
   const Dataset dataset = ReadInput(options.Input, index,

@@ -8,8 +8,8 @@
 namespace novelview
 {
 /**
- * `novelview run`: one novel view with everything that is reported about it, into options.Out. Throws
- * Error, and Interrupted when the console asks for a stop.
+ * `novelview run`: one novel view with everything that is reported about it, into options.Out.
+ * Throws Error, and Interrupted when the console requests a stop.
  */
 void RunView(const RunOptions& options, Console& console);
 }

@@ -19,7 +19,8 @@ OptionTable OptionsOf(RunOptions& options)
     { "out", "folder for the results", "", run, &options.Out },
     { "truth", "true picture of the novel view, to compare with", "", run, &options.Truth },
     { "truthMask", "silhouette of the true picture", "", run, &options.TruthMask },
-    { "trueMesh", "true mesh, to tell how good the picture could be", "", run, &options.TrueMesh },
+    { "trueMesh", "true mesh, for the oracle: an upper bound for any geometry", "", run,
+      &options.TrueMesh },
     { "iterations", "write picture, mesh and scores of every iteration", "", run,
       &options.WriteIterations },
     { "screenshots", "write a picture of the scene for every iteration, too", "", run,
@@ -53,7 +54,7 @@ void CheckNames(const RunOptions& options)
     {
       if (each.is_string() && !IsUtf8(each.get_ref<const std::string&>()))
       {
-        throw Error(key, "is no UTF-8, so that the job.json of the results cannot name it",
+        throw Error(key, "is not UTF-8, so that the job.json of the results cannot name it",
           each.get_ref<const std::string&>(), "another name");
       }
     };

@@ -4,6 +4,7 @@
 
 #include "commands/MethodOptions.h"
 #include "dataset/ViewSpec.h"
+#include "texture/TextureAtlasOptions.h"
 
 #include <filesystem>
 #include <string>
@@ -16,15 +17,15 @@ struct RunOptions : MethodOptions
 {
   ViewSpec View;
   std::filesystem::path Out;
-  std::filesystem::path Truth;     ///< picture to compare with; empty = what the view implies
+  std::filesystem::path Truth;     ///< image to compare with; empty = what the view implies
   std::filesystem::path TruthMask; ///< its silhouette; empty = what lies in mask/ beside it
   std::filesystem::path TrueMesh;  ///< for the oracle; empty = none
   bool WriteIterations = true;     ///< novel view, mesh and scores of every iteration
-  bool Screenshots = true;         ///< and a picture of the scene
-  bool Page = true;                ///< report.html and the picture of the rig
+  bool Screenshots = true;         ///< and an image of the scene
+  bool Page = true;                ///< report.html and the image of the rig
   std::vector<std::filesystem::path> MeshOut; ///< files of the view's mesh, see ModelFile.h
   /** Of the mesh's texture, at most. */
-  int TextureSizePx = TextureAtlasParameters::LargestSidePx.Default;
+  int TextureSizePx = TextureAtlasOptions::LargestSidePxParameter.Default;
 };
 
 /** The table: what the options are called, their help, units and ranges. */

@@ -48,7 +48,7 @@ void CheckCameras(const std::vector<Photograph>& photographs, const fs::path& ca
 {
   if (photographs.empty())
   {
-    throw Error(calibration.string(), "calibration holds no camera");
+    throw Error(calibration.string(), "calibration contains no camera");
   }
   std::set<std::string> names;
   for (const Photograph& photograph : photographs)
@@ -145,7 +145,7 @@ void CheckSizes(const std::vector<Photograph>& cameras, const std::vector<Prepar
   }
 }
 
-/** Says which photographs had no mask, when others had. */
+/** Reports which photographs have no mask although others have one. */
 std::string MissingMasks(
   const std::vector<Photograph>& cameras, const std::vector<Prepared>& prepared)
 {

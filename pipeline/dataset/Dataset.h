@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * Data sets: a folder with photographs, their calibration in one of several formats, and perhaps
- * masks. DatasetFormats.h says which formats there are; here is what they have in common.
+ * masks. DatasetFormats.h lists the formats; this file contains what they have in common.
  *
  * Errors are novelview::Error, naming file and line or photograph.
  */
@@ -25,18 +25,18 @@
 
 namespace novelview
 {
-/** Which calibration of a folder is meant, and how it is to be understood. */
+/** Which calibration of a folder to read, and how to interpret it. */
 struct DatasetSource
 {
   std::filesystem::path Calibration = {}; ///< file, or folder of a COLMAP model; empty = found
   std::string Format = "auto";            ///< a name of DatasetFormats.h; "auto" = found
-  CameraConvention Convention = {};       ///< goes over the format's own
+  CameraConvention Convention = {};       ///< overrides the format's own
   /** Orientation tags of photographs: "ignore", "apply", or "auto" (see ExifDecision.h). */
   std::string ExifOrientation = "auto";
   std::optional<double> WhiteLevel = {}; ///< of photographs with more than 8 bits; else the file's
 };
 
-/** A data set before any picture is decoded. Cameras are in the project's convention. */
+/** A data set before any image is decoded. Cameras are in the project's convention. */
 struct DatasetIndex
 {
   std::filesystem::path Folder;
@@ -56,7 +56,8 @@ DatasetIndex ReadDatasetIndex(
 
 /**
  * The cameras of a calibration file of any format, for novel views; File of each is where its
- * picture would lie. Errors as ReadDatasetIndex(), but without photographs of its own it is none.
+ * image would lie. Errors as ReadDatasetIndex(), but a calibration without photographs is no
+ * error.
  */
 std::vector<Photograph> ReadViewCameras(const std::filesystem::path& calibration);
 
@@ -69,18 +70,18 @@ struct DatasetOptions
 
 struct Dataset
 {
-  vtkSmartPointer<vtkMultiBlockDataSet> Views; ///< as ViewAccess.h says, with ContourDistance
+  vtkSmartPointer<vtkMultiBlockDataSet> Views; ///< see ViewAccess.h, with ContourDistance
   std::vector<Coverage> Coverages;             ///< of the silhouettes, per view
   std::vector<std::string> Warnings;           ///< one sentence each
 };
 
 /**
  * Reads the photographs and masks, each once and in parallel (see LimitThreads()), undistorts them,
- * extracts the silhouettes that are missing, and computes the distances to their contours. Errors: a
- * photograph or mask unreadable, a mask unlike its photograph in size, a photograph unlike its
- * calibration in size, photographs of one K but several sizes, a silhouette empty or full, a name to
- * exclude unknown, no photograph left.
- * @param progress hears the fraction of photographs read, in any thread.
+ * extracts the silhouettes that are missing, and computes the distances to their contours. Errors:
+ * a photograph or mask unreadable, a mask unlike its photograph in size, a photograph unlike its
+ * calibration in size, photographs of one K but several sizes, a silhouette empty or full, a name
+ * to exclude unknown, no photograph left.
+ * @param progress receives the fraction of photographs read, in any thread.
  */
 Dataset ReadDataset(const DatasetIndex& index, const DatasetOptions& options = {},
   const std::function<void(double fraction)>& progress = {});
@@ -115,12 +116,12 @@ struct PhotographPixels
 
 /**
  * Decodes a photograph and its mask: file, else alpha channel (unless that is opaque throughout),
- * else extracted from the photograph; inverted where asked; undistorted. Errors as ReadDataset().
+ * else extracted from the photograph; inverted if requested; undistorted. Errors as ReadDataset().
  */
 PhotographPixels ReadPhotograph(
   const Photograph& photograph, bool forceSilhouette, const SilhouetteOptions& silhouette);
 
-/** The mask that a photograph comes with, from its file or alpha channel, inverted where asked and
+/** The mask that a photograph comes with, from its file or alpha channel, inverted if requested and
  * not undistorted; empty when it has none. */
 Image<std::uint8_t> ReadGivenMask(const Photograph& photograph);
 }

@@ -12,10 +12,10 @@ OptionTable OptionsOf(DatasetSource& source, const char* formatKey)
   std::vector<std::string> formats = DatasetFormatNames();
   formats.insert(formats.begin(), "auto");
   return {
-    { "calibration", "calibration file (COLMAP: also its folder); found when there is just one", "",
-      group, &source.Calibration },
-    { formatKey, "format of the calibration; auto = found", "", group, &source.Format, -Unlimited,
-      Unlimited, formats },
+    { "calibration", "calibration file (COLMAP: also its folder); detected if there is just one",
+      "", group, &source.Calibration },
+    { formatKey, "format of the calibration; auto = detected", "", group, &source.Format,
+      -Unlimited, Unlimited, formats },
     { "axes", "camera's axes: x right, y down, z forward, or x right, y up, z backward", "", group,
       &convention.Axes, -Unlimited, Unlimited, { "format", "opencv", "opengl" } },
     { "poses", "what the poses map", "", group, &convention.Poses, -Unlimited, Unlimited,

@@ -22,7 +22,7 @@ struct DatasetInput
   SilhouetteOptions Silhouette;
 };
 
-/** The calibration's options; `formatKey` is what its format goes by in a command. */
+/** The calibration's options; `formatKey` is the key of the format in the command. */
 OptionTable OptionsOf(DatasetSource& source, const char* formatKey);
 
 /** How silhouettes are taken from photographs. */

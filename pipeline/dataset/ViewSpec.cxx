@@ -48,7 +48,7 @@ ViewSpec ParseBetween(const std::string& text, const std::string& rest)
   }
   if (second != std::string::npos && !ParseFraction(rest.substr(second + 1), spec.Fraction))
   {
-    Refuse(text, "fraction is no number from 0 to 1");
+    Refuse(text, "fraction is not a number from 0 to 1");
   }
   return spec;
 }
@@ -100,8 +100,8 @@ const Photograph& FindByNameOrNumber(const DatasetIndex& dataset, const std::str
   return named ? *named : Find(dataset.Cameras, text, dataset.Calibration.string());
 }
 
-/** Sets the size to that of the picture. */
-void SetSizeFromPicture(Camera& camera, const Photograph& photograph)
+/** Sets the size to that of the image. */
+void SetSizeFromImage(Camera& camera, const Photograph& photograph)
 {
   const PictureSize size = ReadPictureSize(photograph.File);
   const bool turned = SwapsSides(photograph.Reading.Orientation);
@@ -114,7 +114,7 @@ void SetSizeFrom(Camera& camera, const Photograph& photograph)
 {
   if (photograph.Cam.Width == 0)
   {
-    SetSizeFromPicture(camera, photograph);
+    SetSizeFromImage(camera, photograph);
     return;
   }
   camera.Width = photograph.Cam.Width;
@@ -131,7 +131,7 @@ ResolvedView ResolveFile(const ViewSpec& spec, const DatasetIndex& dataset)
   {
     view.Truth = found;
   }
-  // A camera of the data set's own calibration: its photograph is the truth, so nobody sees it.
+  // A camera of the data set's own calibration: its photograph is the truth, so no stage uses it.
   for (const Photograph& own : dataset.Cameras)
   {
     if (!view.Truth.File.empty() && fs::exists(own.File, failure) &&
@@ -205,7 +205,7 @@ ViewSpec ParseViewSpec(const std::string& text)
   }
   if (kind != "like" || rest.empty())
   {
-    Refuse(text, "is no view");
+    Refuse(text, "is not a view");
   }
   ViewSpec spec;
   spec.What = ViewSpec::Kind::Like;

@@ -18,7 +18,7 @@ namespace novelview
  *                       on their orbit; A and B are names of photographs or numbers from 0
  *     like:IMAGE        the camera of a photograph, which is held out of every stage and is the
  *                       truth to compare with
- *     file:PAR.txt#NAME a camera of a calibration file of any format; a picture NAME beside it is
+ *     file:PAR.txt#NAME a camera of a calibration file of any format; an image NAME beside it is
  *                       the truth
  */
 struct ViewSpec
@@ -50,9 +50,9 @@ WordTarget ViewTarget(ViewSpec& view);
 /** A novel view, ready to be made. */
 struct ResolvedView
 {
-  Camera Cam;          ///< with its picture's size
+  Camera Cam;          ///< with its image's size
   std::string HeldOut; ///< photograph that no stage may see; empty = none
-  Photograph Truth;    ///< picture to compare with; File is empty when none is known
+  Photograph Truth;    ///< image to compare with; File is empty when none is known
 };
 
 /** A photograph's camera with its size, which is opened only when its calibration does not say it. */
@@ -66,8 +66,8 @@ Camera SizedCamera(const Photograph& photograph);
 Camera InFrame(const Photograph& photograph, int width, int height, const std::string& with);
 
 /**
- * Looks the cameras of a view up. The picture's size is that of the photograph A, of IMAGE, of the
- * picture NAME or, where there is none, of the first photograph of the data set. Throws UsageError
+ * Looks the cameras of a view up. The image's size is that of the photograph A, of IMAGE, of the
+ * image NAME or, where there is none, of the first photograph of the data set. Throws UsageError
  * when a name or number is unknown, Error when A and B have frames that cannot be averaged.
  */
 ResolvedView ResolveViewSpec(const ViewSpec& spec, const DatasetIndex& dataset);

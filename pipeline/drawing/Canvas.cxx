@@ -104,7 +104,7 @@ Box Canvas::AddPicture(vtkImageData* picture, const Box& box)
   resize->SetOutputDimensions(fitted.Width, fitted.Height, 1);
   resize->BorderOn();
   resize->Update();
-  // With spacing 1 and a viewport of as many pixels, one pixel of the picture is one of the window.
+  // With spacing 1 and a viewport of as many pixels, one pixel of the image is one of the window.
   vtkNew<vtkImageData> pixels;
   pixels->DeepCopy(resize->GetOutput());
   pixels->SetOrigin(0, 0, 0);

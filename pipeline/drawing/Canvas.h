@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Private to the pipeline's pictures: a window laid out in panels, in pixels from the top left.
+// Private to the pipeline's images: a window laid out in panels, in pixels from the top left.
 #ifndef novelview_Canvas_h
 #define novelview_Canvas_h
 
@@ -22,7 +22,7 @@ namespace novelview
 /** RGB, 0 to 1. */
 using Colour = std::array<double, 3>;
 
-/** The few colours that all pictures share. */
+/** The few colours that all images share. */
 namespace colours
 {
 inline constexpr Colour Desktop = { 0.125, 0.137, 0.157 };
@@ -36,7 +36,7 @@ inline constexpr Colour Outline = { 1.00, 0.45, 0.20 };
 inline constexpr Colour NonOutline = { 0.35, 0.72, 0.95 };
 }
 
-/** What all laid-out pictures measure the same, pixels. */
+/** What all laid-out images measure the same, pixels. */
 inline constexpr int Gap = 8;
 inline constexpr int TitleHeight = 44;
 inline constexpr int HeaderHeight = 32;
@@ -67,7 +67,7 @@ struct TextStyle
 class Canvas
 {
 public:
-  /** Draws into the `window` of that size, or one of its own when there is none. */
+  /** Draws into the `window` of that size, or a new one when there is none. */
   Canvas(int width, int height, const Colour& background,
     std::shared_ptr<OffscreenWindow> window = nullptr);
   ~Canvas();
@@ -77,7 +77,7 @@ public:
   /** A panel of one colour to draw a scene in. Borrowed. */
   vtkRenderer* AddPanel(const Box& box, const Colour& background);
 
-  /** A picture (array Color, RGB), scaled to fit into the middle of the box; returns where. */
+  /** An image (array Color, RGB), scaled to fit into the middle of the box; returns where. */
   Box AddPicture(vtkImageData* picture, const Box& box);
 
   void AddChart(vtkChartXY* chart, const Box& box, const Colour& background);

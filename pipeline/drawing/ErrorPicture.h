@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Private to the pipeline's pictures: how far a novel view is from the truth, in colours.
+// Private to the pipeline's images: how far a novel view is from the truth, in colours.
 #ifndef novelview_ErrorPicture_h
 #define novelview_ErrorPicture_h
 

@@ -27,8 +27,8 @@ extern "C"
   unsigned int glewInit();
 
   /**
-   * GLEW asks this name for every OpenGL function after version 1.1. The one of GLX would answer
-   * with functions that need a display; this one stands before it in the search order.
+   * GLEW calls this function for every OpenGL function after version 1.1. The one of GLX would
+   * answer with functions that need a display; this one stands before it in the search order.
    */
   __attribute__((visibility("default"))) void (*glXGetProcAddressARB(const unsigned char* name))()
   {
@@ -102,7 +102,7 @@ protected:
   }
 
 private:
-  // VTK draws into frame buffers of its own, so that the one of the context may stay tiny.
+  // VTK draws into its own frame buffers, so that the one of the context may stay tiny.
   static constexpr int BufferSize = 8;
 
   bool BindContext()
@@ -116,11 +116,11 @@ private:
 };
 vtkStandardNewMacro(OSMesaRenderWindow);
 
-/** llvmpipe crashes or hangs where it gets no memory, so it is asked for before. */
+/** llvmpipe crashes or hangs without memory, so the memory is reserved before. */
 void RequireMemoryToDraw(int width, int height)
 {
   constexpr std::size_t MiB = std::size_t(1) << 20;
-  // Measured: shaders' code and threads of the first window; of each further picture its frame
+  // Measured: shaders' code and threads of the first window; of each further image its frame
   // buffers, and what it is read back into.
   static std::atomic<bool> first = true;
   const std::size_t fixed = first ? 448 * MiB : 16 * MiB;
@@ -157,7 +157,7 @@ OffscreenWindow::OffscreenWindow(int width, int height)
   if (version.empty())
   {
     throw Error(where,
-      "OpenGL tells no version: OSMesa is not the OpenGL library that the program has bound to");
+      "OpenGL reports no version: OSMesa is not the OpenGL library that the program has bound to");
   }
   GLint largest = 0;
   glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largest);
@@ -209,7 +209,7 @@ vtkSmartPointer<vtkImageData> OffscreenWindow::Capture(bool withAlpha)
 //------------------------------------------------------------------------------
 void OffscreenWindow::ProveItDraws()
 {
-  // A render window that is not current draws nothing and says nothing, hence the look at pixels.
+  // A render window that is not current draws nothing and reports no error, so pixels are checked.
   const double background[3] = { 0.2, 0.4, 0.8 };
   vtkNew<vtkRenderer> renderer;
   renderer->SetBackground(background[0], background[1], background[2]);

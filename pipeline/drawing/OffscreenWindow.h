@@ -14,18 +14,18 @@ namespace novelview
 {
 /**
  * A VTK render window without a display: software OpenGL in memory (OSMesa), in a context that
- * belongs to the window. The only place of the project that knows how pictures are rendered.
+ * belongs to the window. The only file of the project that creates OpenGL contexts.
  *
- * Several windows may live at once, of any size that the driver can do. DISPLAY is never looked at.
- * Windows are used from one thread. A renderer belongs to one window at a time and must be removed
- * (or die) before it is added to another.
+ * Several windows may exist at the same time, of any size that the driver supports. DISPLAY is
+ * never read. Windows are used from one thread. A renderer belongs to one window at a time and must
+ * be removed (or die) before it is added to another.
  */
 class OffscreenWindow
 {
 public:
   /**
-   * Opens a window of this many pixels and proves that it draws: OpenGL must tell its version, and
-   * a cleared picture must read back in the colour it was cleared to.
+   * Opens a window of this many pixels and verifies that it draws: OpenGL must report its version,
+   * and a cleared image must read back in the colour it was cleared to.
    *
    * Throws Error when the size is not positive or more than the driver can do, when no context can
    * be made, or when the proof fails.
@@ -59,7 +59,7 @@ private:
   int Size[2];
 };
 
-/** One renderer in a window of its own: the picture as Capture() gives it. */
+/** One renderer in its own window: the image as Capture() gives it. */
 vtkSmartPointer<vtkImageData> RenderOffscreen(vtkRenderer* renderer, int width, int height);
 }
 

@@ -30,7 +30,7 @@ namespace novelview
 {
 namespace
 {
-/** Apex and corners of the picture plane: top left, top right, bottom right, bottom left. */
+/** Apex and corners of the image plane: top left, top right, bottom right, bottom left. */
 std::array<Eigen::Vector3d, 5> Pyramid(const Camera& camera, double depth)
 {
   const double right = camera.Width - 0.5;
@@ -67,7 +67,7 @@ vtkSmartPointer<vtkActor> Lines(
   return actor;
 }
 
-/** The photograph on the picture plane, the right way round from the camera. */
+/** The photograph on the image plane, the right way round from the camera. */
 vtkSmartPointer<vtkActor> PictureActor(
   const std::array<Eigen::Vector3d, 5>& corners, vtkImageData* picture)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Private to the pipeline's pictures: the things that stand in a 3-D scene.
+// Private to the pipeline's images: the things that stand in a 3-D scene.
 #ifndef novelview_SceneActors_h
 #define novelview_SceneActors_h
 
@@ -34,7 +34,7 @@ struct FrustumStyle
   int LabelSizePx = 15;
 };
 
-/** Pyramid, picture and label of a camera. Its corners are appended to `extent`, if given. */
+/** Pyramid, image and label of a camera. Its corners are appended to `extent`, if given. */
 void AddCameraToScene(vtkRenderer* renderer, const SceneCamera& camera, const FrustumStyle& style,
   std::vector<Eigen::Vector3d>* extent = nullptr);
 
@@ -45,7 +45,7 @@ void AddCameraToScene(vtkRenderer* renderer, const SceneCamera& camera, const Fr
 void JoinLabels(std::vector<SceneCamera>& cameras, double distance);
 
 /**
- * The direction that is up: in the cameras' pictures or, when those disagree (photographs may be
+ * The direction that is up: in the cameras' images or, when those disagree (photographs may be
  * turned by a quarter), the axis that the cameras stand around.
  */
 Eigen::Vector3d UpOf(const std::vector<SceneCamera>& cameras);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * Pictures that show a scene, as a desktop program would: the rig of a data set, the state of the
+ * Images that show a scene, as a desktop program would: the rig of a data set, the state of the
  * refinement after an iteration, the curves of a whole run. Rendered by VTK through OSMesa, written
  * as PNG files atomically. Errors are novelview::Error.
  */
@@ -29,7 +29,7 @@ class OffscreenWindow;
 struct RigPicture
 {
   std::string Title;           ///< e.g. "bunny, wood, 12 views"
-  vtkPolyData* Mesh = nullptr; ///< borrowed
+  vtkPolyData* Mesh = nullptr; ///< not owned
   SurfaceLook Look;
   std::vector<Camera> Views; ///< drawn with their numbers, from 0
   /** The photographs (array Color, any size), shown in the cameras' frusta; may be empty. */
@@ -51,7 +51,7 @@ struct HistoryRow
   double Ssim = std::numeric_limits<double>::quiet_NaN();
 };
 
-/** Everything a screenshot of the refinement shows; all pointers are borrowed. */
+/** Everything a screenshot of the refinement shows; the pointers are not owned. */
 struct Dashboard
 {
   std::string Title; ///< of the window: what is being run

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Private to the pipeline's pictures: a score over the iterations, or over whatever is counted.
+// Private to the pipeline's images: a score over the iterations, or over whatever is counted.
 #ifndef novelview_ScoreChart_h
 #define novelview_ScoreChart_h
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drawing/SolidTexture.h"
 
+#include "base/NumberText.h"
 #include "core/Error.h"
 
 #include <vtkBoundingBox.h>
@@ -12,8 +13,6 @@
 #include <vtkProperty.h>
 #include <vtkShaderProperty.h>
 #include <vtkUniforms.h>
-
-#include <map>
 
 namespace novelview
 {
@@ -56,9 +55,17 @@ float Turbulence(vec3 p)
 }
 )";
 
-const std::map<std::string, const char*>& ColourSources()
+/** A built-in texture. */
+struct Texture
 {
-  static const std::map<std::string, const char*> sources = {
+  std::string Name;
+  const char* Source; ///< of the GLSL function SolidColour()
+};
+
+/** All built-in textures, in the order of the help. */
+const std::vector<Texture>& Textures()
+{
+  static const std::vector<Texture> textures = {
     // Year rings about a slightly tilted axis, bent by turbulence; pores drawn out along the axis;
     // and a speckle of a few pixels, as real end grain has.
     { "wood", R"(
@@ -115,7 +122,20 @@ vec3 SolidColour(vec3 p)
 }
 )" },
   };
-  return sources;
+  return textures;
+}
+
+/** The GLSL source of a texture. Throws Error with the known names if there is none of this name. */
+const char* SourceOf(const std::string& name)
+{
+  for (const Texture& texture : Textures())
+  {
+    if (texture.Name == name)
+    {
+      return texture.Source;
+    }
+  }
+  throw Error("texture", "there is no such texture", "\"" + name + "\"", Joined(TextureNames()));
 }
 
 // A key light from the upper right front, a weaker one from the left back, and sky over ground; all
@@ -183,7 +203,7 @@ void ReplaceShaders(vtkShaderProperty* shaders, const SurfaceLook& look)
   shaders->AddVertexShaderReplacement("//VTK::PositionVC::Impl", true,
     "//VTK::PositionVC::Impl\n  place = placeMC;\n  facing = facingMC;\n", false);
   const std::string declarations = std::string("//VTK::PositionVC::Dec\nin vec3 place;\n") +
-    "in vec3 facing;\n" + NoiseSource + ColourSources().at(look.Texture) + ShadeSource;
+    "in vec3 facing;\n" + NoiseSource + SourceOf(look.Texture) + ShadeSource;
   shaders->AddFragmentShaderReplacement("//VTK::PositionVC::Dec", true, declarations, false);
   const std::string shade = look.Lit ? "Shade(normalize(facing))" : "1.0";
   const std::string body =
@@ -195,7 +215,15 @@ void ReplaceShaders(vtkShaderProperty* shaders, const SurfaceLook& look)
 //------------------------------------------------------------------------------
 const std::vector<std::string>& TextureNames()
 {
-  static const std::vector<std::string> names = { "wood", "marble", "checker", "plaster", "grey" };
+  static const std::vector<std::string> names = []
+  {
+    std::vector<std::string> each;
+    for (const Texture& texture : Textures())
+    {
+      each.push_back(texture.Name);
+    }
+    return each;
+  }();
   return names;
 }
 
@@ -203,15 +231,6 @@ const std::vector<std::string>& TextureNames()
 vtkSmartPointer<vtkActor> NewTexturedActor(
   vtkPolyData* mesh, const SurfaceLook& look, double centre[3])
 {
-  if (ColourSources().count(look.Texture) == 0)
-  {
-    std::string known;
-    for (const std::string& name : TextureNames())
-    {
-      known += (known.empty() ? "" : ", ") + name;
-    }
-    throw Error("texture", "there is no such texture", "\"" + look.Texture + "\"", known);
-  }
   vtkNew<vtkOpenGLPolyDataMapper> mapper;
   mapper->SetInputData(RenderedGeometry(mesh, centre));
   mapper->ScalarVisibilityOff();

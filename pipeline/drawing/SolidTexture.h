@@ -27,8 +27,8 @@ struct SurfaceLook
  * every pixel drawn (GLSL), so no texture coordinates are needed and every view shows the same. The
  * grain scales with the diagonal of the mesh's bounding box.
  *
- * The geometry of the actor is moved so that the centre of the box is the origin (`centre` tells by
- * how much), which keeps the precision of single-precision rendering for objects far from the
+ * The geometry of the actor is moved so that the centre of the box is the origin (`centre` states
+ * by how much), which keeps the precision of single-precision rendering for objects far from the
  * origin; set the actor's position to `centre` to have it back in place. Edges sharper than 50
  * degrees stay sharp in the shading.
  *

@@ -16,27 +16,27 @@
 
 namespace novelview
 {
-/** The pictures of one predicted view, small enough for a page. */
+/** The images of one predicted view, small enough for a page. */
 struct EvaluationShots
 {
   std::string Name;
   std::vector<ReportPicture> Pictures;
 };
 
-/** Embeds the pictures of a view: every stage's, the truth, and the error of the last stage. */
+/** Embeds the images of a view: every stage's, the truth, and the error of the last stage. */
 EvaluationShots ShotsOf(const std::string& name,
   const std::vector<std::pair<std::string, vtkImageData*>>& stages, vtkImageData* truth);
 
 struct EvaluationPageInput
 {
   std::string Title;
-  nlohmann::ordered_json Summary; ///< as scores.json has it
+  nlohmann::ordered_json Summary; ///< contents of scores.json
   nlohmann::ordered_json Timings; ///< as Console::TimingsText() has them
 };
 
 /**
  * report.html of an evaluation: means, the scores of every view and stage as tables and charts, the
- * views' pictures with sliders, the photographs, timings and options.
+ * views' images with sliders, the photographs, timings and options.
  */
 std::string EvaluationPageHtml(const EvaluationPageInput& input,
   const std::vector<EvaluatedView>& views, const std::vector<EvaluationShots>& shots,

@@ -17,9 +17,10 @@ namespace
 {
 constexpr int NameWidth = 150;
 constexpr int BarWidth = 72;
-constexpr int MaxWidth = 400; ///< of a picture on the contact sheet
+constexpr int MaxWidth = 400; ///< of an image on the contact sheet
 constexpr int MaxHeight = 240;
-constexpr int MostOfAll = 8000; ///< height of the contact sheet: half of what the driver can do
+constexpr int MaxSheetHeight =
+  8000; ///< height of the contact sheet: half of what the driver can do
 constexpr double ErrorRange = 80;
 
 Colour InkOf(const std::string& stage)
@@ -50,10 +51,10 @@ public:
   {
   }
 
-  /** The largest picture such that all rows fit. */
+  /** The largest image such that all rows fit. */
   static Box CellFor(int rows, double aspect)
   {
-    const int room = (MostOfAll - TitleHeight - HeaderHeight) / std::max(rows, 1) - Gap;
+    const int room = (MaxSheetHeight - TitleHeight - HeaderHeight) / std::max(rows, 1) - Gap;
     Box cell;
     cell.Height =
       std::clamp(static_cast<int>(MaxWidth / aspect), 8, std::max(8, std::min(MaxHeight, room)));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/** The pictures of an evaluation: a contact sheet of the views, and a chart of their scores. */
+/** The images of an evaluation: a contact sheet of the views, and a chart of their scores. */
 #ifndef novelview_EvaluationPictures_h
 #define novelview_EvaluationPictures_h
 
@@ -14,7 +14,7 @@
 
 namespace novelview
 {
-/** What a row of the contact sheet shows; borrowed, arrays Color and Mask, all of one size. */
+/** What a row of the contact sheet shows; not owned, arrays Color and Mask, all of one size. */
 struct OverviewRow
 {
   std::string Name;
@@ -26,9 +26,9 @@ struct OverviewRow
 };
 
 /**
- * A row per view: truth, hull, last stage, and the error of the last stage. Pictures are scaled down
- * as they are added, so that many large ones do not stay in memory; with many rows they are smaller,
- * down to what a window can hold.
+ * A row per view: truth, hull, last stage, and the error of the last stage. Images are scaled
+ * down as they are added, so that many large ones do not stay in memory; with many rows they are
+ * smaller, down to what a window can contain.
  */
 class Overview
 {

@@ -37,7 +37,7 @@ std::string Stripped(const std::string& text)
   return Joined(words, " ");
 }
 
-/** "NaN" in any case, which std::from_chars knows, too, but not MATLAB's sign of it. */
+/** "NaN" in any case, which std::from_chars also reads, but not with MATLAB's sign. */
 bool ParseMatlab(const std::string& word, double& number)
 {
   if (word == "NaN" || word == "-NaN")
@@ -274,7 +274,7 @@ void CheckShared(const std::vector<Photograph>& photographs)
     if (what)
     {
       throw Error("view " + photograph.Name,
-        std::string("the format bouguet holds one ") + what + " for all photographs, and " +
+        std::string("the format bouguet has one ") + what + " for all photographs, and " +
           first.Name + " has another");
     }
     if (photograph.Name.find_first_of("'\r\n") != std::string::npos)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * COLMAP's sparse models, text or binary: cameras and images (points are not looked at). The model
+ * COLMAP's sparse models, text or binary: cameras and images (points are ignored). The model
  * lies in the data set's folder, in sparse/ or in sparse/0/, the photographs in images/ or in the
  * folder itself. Where both encodings are there the binary one is read, as COLMAP does.
  *

@@ -54,7 +54,7 @@ public:
   {
     if (this->Cursor.Left() > 0)
     {
-      throw Error(this->Where(), "file goes on behind its end",
+      throw Error(this->Where(), "file continues after its end",
         std::to_string(this->Cursor.Left()) + " bytes more", "none");
     }
   }

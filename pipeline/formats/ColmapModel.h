@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Private to the pipeline's sources: what COLMAP's files hold, as they hold it.
+// Private to the pipeline's sources: the contents of COLMAP's files, unconverted.
 #ifndef novelview_ColmapModel_h
 #define novelview_ColmapModel_h
 

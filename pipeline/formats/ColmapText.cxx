@@ -25,7 +25,7 @@ public:
   {
   }
 
-  /** The next line whatever it holds; false at the end. */
+  /** The next line whatever it contains; false at the end. */
   bool Next(std::string& line)
   {
     if (!std::getline(this->File, line))
@@ -71,7 +71,7 @@ T Parsed(const std::string& word, const std::string& where, const char* what)
   T number{};
   if (!ParseNumber(word, number))
   {
-    throw Error(where, std::string(what) + " is no number", "'" + word + "'", "a number");
+    throw Error(where, std::string(what) + " is not a number", "'" + word + "'", "a number");
   }
   return number;
 }
@@ -103,7 +103,7 @@ std::vector<ColmapCamera> ReadCameraLines(const fs::path& path)
   return cameras;
 }
 
-/** The name is the rest of the line after nine numbers; it may hold blanks. */
+/** The name is the rest of the line after nine numbers; it may contain blanks. */
 std::string NameIn(const std::string& line)
 {
   std::size_t at = 0;
@@ -121,7 +121,8 @@ void CheckPointsLine(const std::string& line, const std::string& where)
   double number = 0;
   if (words.size() % 3 != 0 || (!words.empty() && !ParseNumber(words.back(), number)))
   {
-    throw Error(where, "is no line of points; every image has two lines, the second may be empty");
+    throw Error(
+      where, "is not a line of points; every image has two lines, the second may be empty");
   }
 }
 

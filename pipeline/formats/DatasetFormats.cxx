@@ -97,7 +97,7 @@ FoundCalibration ChooseCalibration(
     }
     const std::string foreign = ForeignFile(calibration);
     throw Error(calibration.string(),
-      foreign.empty() ? "is no calibration that can be told by its name" : foreign);
+      foreign.empty() ? "is not a calibration that is recognised by its name" : foreign);
   }
   const std::vector<FoundCalibration> found = CalibrationsIn(folder, format);
   if (found.size() == 1)

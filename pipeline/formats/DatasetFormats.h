@@ -13,7 +13,7 @@
 
 namespace novelview
 {
-/** What a calibration file says, before any convention is applied. */
+/** What a calibration file states, before any convention is applied. */
 struct Calibration
 {
   CameraConvention Convention;         ///< the one the cameras are stated in, complete
@@ -32,12 +32,12 @@ struct FileContent
 struct DatasetFormat
 {
   std::string Name;      ///< "colmap"
-  std::string LookedFor; ///< what tells the format, for messages
+  std::string LookedFor; ///< the file that identifies the format, for messages
 
-  /** The calibrations of this format that a folder holds. */
+  /** The calibrations of this format that a folder contains. */
   std::function<std::vector<std::filesystem::path>(const std::filesystem::path& folder)> Find;
 
-  /** Whether a path that somebody names looks like a calibration of this format. */
+  /** Whether a path given by the user looks like a calibration of this format. */
   std::function<bool(const std::filesystem::path& calibration)> Accepts;
 
   /** Reads one; `folder` is that of the data set. */
@@ -54,9 +54,10 @@ struct DatasetFormat
   std::function<bool(const Photograph& photograph)> HoldsLens;
   /**
    * The files of a calibration, to be written in this order: the last one is what makes the folder
-   * a data set. Photographs have names, sizes and cameras in the project's convention; where Mask is
-   * set it is a path in the data set's folder. `name` is for formats that leave the file's name to
-   * the writer. Throws Error when the format cannot hold a camera. None where a format is only read.
+   * a data set. Photographs have names, sizes and cameras in the project's convention; where Mask
+   * is set it is a path in the data set's folder. `name` is for formats that leave the file's name
+   * to the writer. Throws Error when the format cannot represent a camera. None where a format is
+   * only read.
    */
   std::function<std::vector<FileContent>(
     const std::string& name, const std::vector<Photograph>& photographs)>
@@ -82,12 +83,12 @@ struct FoundCalibration
   std::filesystem::path File;
 };
 
-/** Every calibration of the format (or, with "auto", of any) that the folder holds. */
+/** Every calibration of the format (or, with "auto", of any) that the folder contains. */
 std::vector<FoundCalibration> CalibrationsIn(
   const std::filesystem::path& folder, const std::string& format = "auto");
 
 /**
- * The one calibration that is meant. With a path given, "auto" goes by what lies there. Throws Error
+ * The calibration to read. With a path given, "auto" detects the format of the file. Throws Error
  * when there is none or more than one.
  */
 FoundCalibration ChooseCalibration(const std::filesystem::path& folder,

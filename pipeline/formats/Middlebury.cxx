@@ -36,7 +36,7 @@ Photograph ParseLine(const std::vector<std::string>& words, const std::string& w
   {
     if (!ParseNumber(words[i + 1], values[i]))
     {
-      throw Error(where, "value " + std::to_string(i + 1) + " of " + words[0] + " is no number",
+      throw Error(where, "value " + std::to_string(i + 1) + " of " + words[0] + " is not a number",
         "'" + words[i + 1] + "'", "a number");
     }
   }
@@ -55,7 +55,7 @@ std::size_t ParseCount(const std::vector<std::string>& words, const std::string&
   std::size_t count = 0;
   if (words.size() != 1 || !ParseNumber(words[0], count))
   {
-    throw Error(where, "first line is no count of photographs",
+    throw Error(where, "first line is not a count of photographs",
       words.empty() ? "nothing" : "'" + words[0] + (words.size() > 1 ? " ...'" : "'"),
       "a whole number alone");
   }

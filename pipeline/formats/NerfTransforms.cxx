@@ -66,7 +66,7 @@ public:
     if (value && !value->is_number())
     {
       throw Error(
-        this->Where, "key \"" + key + "\" is no number", JsonTypeText(*value), "a number");
+        this->Where, "key \"" + key + "\" is not a number", JsonTypeText(*value), "a number");
     }
     return value ? value->get<double>() : otherwise;
   }
@@ -76,7 +76,7 @@ public:
     const Json* value = this->Find(key);
     if (value && !value->is_string())
     {
-      throw Error(this->Where, "key \"" + key + "\" is no text", JsonTypeText(*value), "a text");
+      throw Error(this->Where, "key \"" + key + "\" is not a text", JsonTypeText(*value), "a text");
     }
     return value ? value->get<std::string>() : "";
   }
@@ -88,7 +88,10 @@ private:
   const Json& Shared;
 };
 
-/** The photograph's file, whose extension may be missing; as it is said when there is none. */
+/**
+ * The photograph's file, whose extension may be missing; the path as given if the file does not
+ * exist.
+ */
 fs::path PhotoOf(const fs::path& folder, const std::string& filePath)
 {
   std::error_code failure;
@@ -243,7 +246,7 @@ Calibration ReadNerf(const fs::path&, const fs::path& path)
     const std::string where = path.string() + ", frame " + std::to_string(i);
     if (!(*frames)[i].is_object())
     {
-      throw Error(where, "is no object");
+      throw Error(where, "is not an object");
     }
     // Paths in the file start from its own folder.
     calibration.Photographs.push_back(

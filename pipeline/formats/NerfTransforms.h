@@ -7,13 +7,14 @@
  *                     mask_path, and any of the following, which go over those of the whole file
  *     fl_x, fl_y      focal lengths, px; fl_y as fl_x when not given. Or camera_angle_x,
  *                     camera_angle_y: full field of view, radians
- *     cx, cy          principal point, px; the picture's centre when not given
+ *     cx, cy          principal point, px; the image's centre when not given
  *     w, h            size, px; that of the photograph when not given
  *     camera_model    PINHOLE, SIMPLE_PINHOLE, OPENCV, OPENCV_FISHEYE .. (or is_fisheye: true)
  *     k1, k2, p1, p2, k3 (perspective); k1, k2, k3, k4 (fisheye)
  *
  * Cameras are x right, y up, z backward; poses camera-to-world. Both programs put the centre of the
- * top-left pixel at (0.5, 0.5). A k4 of a perspective lens is another one than OpenCV's and refused.
+ * top-left pixel at (0.5, 0.5). A k4 of a perspective lens is another one than OpenCV's and
+ * refused.
  *
  * Written are numbers common to all frames once, others per frame.
  *

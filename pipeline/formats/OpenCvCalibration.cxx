@@ -39,7 +39,7 @@ const StorageNode& NodeOf(const StorageNode& map, const std::string& key)
   return map[capital];
 }
 
-/** What a view says and, behind it, what the whole file says for all. */
+/** The values of a view, followed by those of the whole file for all views. */
 struct ViewNodes
 {
   const StorageNode& View;
@@ -76,7 +76,7 @@ struct ViewNodes
     const StorageNode& node = this->Find(key);
     if (!node.IsNone() && node.What != StorageNode::Kind::Number)
     {
-      throw Error(this->Where, "\"" + key + "\" is no number",
+      throw Error(this->Where, "\"" + key + "\" is not a number",
         node.IsText() ? "'" + node.Text + "'" : "a list or map", "a number");
     }
     return std::rint(node.Number);
@@ -166,7 +166,7 @@ std::vector<fs::path> ListedImages(
   {
     if (!image.IsText())
     {
-      throw Error(where, "\"images\" holds something else than file names",
+      throw Error(where, "\"images\" contains something other than file names",
         image.Text.empty() ? "a list or map" : image.Text, "names in quotes");
     }
     files.push_back(folder / image.Text);

@@ -18,7 +18,7 @@ namespace
 {
 using Kind = StorageNode::Kind;
 
-/** OpenCV writes them as \', which is no JSON. */
+/** OpenCV writes them as \', which is not JSON. */
 std::string WithoutEscapedApostrophes(const std::string& text)
 {
   std::string valid;

@@ -22,7 +22,7 @@ constexpr std::size_t MaxStorageBytes = 32 << 20;
 /** The root of a file. Throws Error, naming file and line. */
 StorageNode ReadOpenCvStorage(const std::filesystem::path& file);
 
-/** The same from a text, which is YAML, XML or JSON as its first sign says. */
+/** The same from a text, which is YAML, XML or JSON as its first sign states. */
 StorageNode ParseOpenCvStorage(const std::string& text, const std::string& where);
 }
 

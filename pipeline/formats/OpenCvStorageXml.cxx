@@ -118,12 +118,12 @@ StorageNode ParseStorageXml(const std::string& text, const std::string& where)
   if (!result)
   {
     throw Error(
-      builder.PlaceOf(result.offset), "is no calibration of OpenCV: this is no valid XML");
+      builder.PlaceOf(result.offset), "is not a calibration of OpenCV: this is not valid XML");
   }
   const pugi::xml_node root = document.document_element();
   if (root.name() != std::string(RootName))
   {
-    throw Error(where, "is no calibration of OpenCV",
+    throw Error(where, "is not a calibration of OpenCV",
       std::string("element \"") + root.name() + "\"", std::string("\"") + RootName + "\"");
   }
   return builder.NodeOf(root, 0);

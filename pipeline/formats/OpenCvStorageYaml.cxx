@@ -122,7 +122,7 @@ private:
     }
     else
     {
-      throw Error(this->PlaceOf(mark), "a key is no text");
+      throw Error(this->PlaceOf(mark), "a key is not a text");
     }
   }
 
@@ -146,7 +146,7 @@ void CheckEncoding(const std::string& text, const std::string& where)
 {
   if (!IsUtf8(text))
   {
-    throw Error(where, "its text is no UTF-8");
+    throw Error(where, "its text is not UTF-8");
   }
 }
 }
@@ -163,7 +163,8 @@ StorageNode ParseStorageYaml(const std::string& text, const std::string& where)
   }
   catch (const YAML::Exception& error)
   {
-    throw Error(builder.PlaceOf(error.mark), "is no calibration of OpenCV: this is no valid YAML");
+    throw Error(
+      builder.PlaceOf(error.mark), "is not a calibration of OpenCV: this is not valid YAML");
   }
   return std::move(builder.Root);
 }

@@ -75,7 +75,7 @@ void AppendNumbers(const StorageNode& node, const std::string& where, std::vecto
   }
   if (!node.IsText())
   {
-    throw Error(where, "is no list of numbers", node.IsNone() ? "nothing" : "a map", "numbers");
+    throw Error(where, "is not a list of numbers", node.IsNone() ? "nothing" : "a map", "numbers");
   }
   std::string text = node.Text;
   std::replace(text.begin(), text.end(), ',', ' ');
@@ -84,7 +84,7 @@ void AppendNumbers(const StorageNode& node, const std::string& where, std::vecto
     double number = 0;
     if (!ParseStorageNumber(word, number))
     {
-      throw Error(where, "is no number", "'" + word + "'", "a number");
+      throw Error(where, "is not a number", "'" + word + "'", "a number");
     }
     numbers.push_back(number);
   }
@@ -127,7 +127,7 @@ int ChannelsOf(const StorageNode& matrix, const std::string& where, char& type)
   return channels;
 }
 
-/** How many elements a matrix says it has: rows x cols, or the product of its "sizes". */
+/** The stated number of elements of a matrix: rows x cols, or the product of its "sizes". */
 double CountOf(const StorageNode& matrix, const std::string& where)
 {
   double count = 1;
@@ -161,7 +161,7 @@ std::vector<double> MatrixNumbers(const StorageNode& matrix, const std::string& 
   }
   if (static_cast<double>(numbers.size()) != expected)
   {
-    throw Error(where, "matrix is not as large as it says",
+    throw Error(where, "matrix does not have its stated size",
       std::to_string(numbers.size()) + " numbers", NumberText(expected));
   }
   for (double& number : numbers)

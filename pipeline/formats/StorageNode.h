@@ -40,7 +40,7 @@ struct StorageNode
 
   /**
    * The numbers of a list or of a matrix, row by row; none of None. Throws Error, naming `where`, when
-   * it is something else, or the matrix is not as large as it says.
+   * it is something else, or the matrix does not have its stated size.
    */
   std::vector<double> Numbers(const std::string& where) const;
 };
@@ -52,7 +52,7 @@ struct StorageEntry
   StorageNode Value;
 };
 
-/** A number or a text that is not in quotes, as OpenCV tells them apart. */
+/** A number or a text that is not in quotes, as OpenCV distinguishes them. */
 StorageNode ScalarNode(const std::string& word);
 }
 

@@ -21,7 +21,7 @@ inline void RefuseSkew(const Photograph& photograph, const std::string& format)
   if (skew != 0)
   {
     throw Error("view " + photograph.Name,
-      "K has a skew, which the format " + format + " cannot hold", NumberText(skew), "0");
+      "K has a skew, which the format " + format + " cannot represent", NumberText(skew), "0");
   }
 }
 
@@ -31,7 +31,7 @@ inline void RequireUtf8Name(const Photograph& photograph, const std::string& for
   if (!IsUtf8(photograph.Name) || !IsUtf8(photograph.Mask.string()))
   {
     throw Error("view " + photograph.Name,
-      "the format " + format + " cannot hold a file name that is no UTF-8");
+      "the format " + format + " cannot represent a file name that is not UTF-8");
   }
 }
 
@@ -43,7 +43,7 @@ inline void RequireAsciiName(const Photograph& photograph, const std::string& fo
     if (c < ' ' || c > '~')
     {
       throw Error("view " + photograph.Name,
-        "the format " + format + " cannot hold a file name with characters beyond ASCII");
+        "the format " + format + " cannot represent a file name with characters beyond ASCII");
     }
   }
 }

@@ -61,7 +61,10 @@ void SpoilColors(Image<std::uint8_t>& color, const GeneratorOptions& options, in
   spoilt.convertTo(pixels, CV_8UC3);
 }
 
-/** Shrinks (or grows, when negative) by a disc of this radius; coverage stays grey at the rim. */
+/**
+ * Shrinks (or grows, when negative) by a disc of this radius; coverage stays grey at the silhouette
+ * boundary.
+ */
 void ErodeMask(Image<std::uint8_t>& mask, int radiusPx)
 {
   const int side = 2 * std::abs(radiusPx) + 1;
@@ -91,7 +94,7 @@ Image<std::uint8_t> ThresholdedMask(const Image<std::uint8_t>& color)
   return mask;
 }
 
-/** Photograph and mask of one view, as imperfect as asked. */
+/** Photograph and mask of one view, with the requested imperfections. */
 RenderedPhotograph TakeView(SyntheticRenderer& photographer, const Camera& camera,
   const GeneratorOptions& options, int viewId)
 {
@@ -166,7 +169,7 @@ std::string OptionsText(const GeneratorOptions& options)
   return DumpJson(json) + "\n";
 }
 
-/** Where the pictures of one list of cameras go and what becomes of each. */
+/** Where the images of one list of cameras go and what becomes of each. */
 void WriteHeldOut(SyntheticRenderer& photographer, const std::vector<Camera>& cameras,
   const fs::path& folder, const std::function<void()>& step)
 {

@@ -10,7 +10,7 @@
 
 namespace novelview
 {
-/** Hears what is being done and the fraction done, 0 to 1; returns false to ask for a stop. */
+/** Receives the current step and its progress, 0 to 1; returns false to request a stop. */
 using GeneratorProgress = std::function<bool(const std::string& what, double fraction)>;
 
 /**
@@ -25,7 +25,7 @@ using GeneratorProgress = std::function<bool(const std::string& what, double fra
  *     generate.json       all options
  *
  * The same options give the same files, bit for bit. Throws Error on bad options or files, and
- * Interrupted when the listener asks for a stop.
+ * Interrupted when the listener requests a stop.
  */
 void GenerateDataset(const GeneratorOptions& options, const std::filesystem::path& out,
   const GeneratorProgress& progress = {});

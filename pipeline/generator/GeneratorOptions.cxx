@@ -39,7 +39,7 @@ OptionTable OptionsOf(GeneratorOptions& options)
     { "seed", "moves the texture and draws the noise", "", object, &options.Seed },
     { "views", "photographs", "", rig, &options.Views, 1, 10000 },
     { "step", "angle between neighbouring cameras", "deg", rig, &options.StepDeg, -360, 360 },
-    // At the pole "up in the picture" would mean nothing.
+    // At the pole "up in the image" would mean nothing.
     { "elevation", "cameras above the horizon", "deg", rig, &options.ElevationDeg, -89, 89 },
     { "size", "size of the photographs, WIDTHxHEIGHT", "px", rig,
       SizeTarget{ &options.Width, &options.Height }, 16, 16384 },

@@ -50,8 +50,8 @@ struct GeneratorOptions
 OptionTable OptionsOf(GeneratorOptions& options);
 
 /**
- * Throws Error when an option is out of the range that its table says, or names a view that there is
- * not. Files are not looked at.
+ * Throws Error when an option is out of the range that its table states, or names a view that there
+ * is not. Files are not checked.
  */
 void ValidateGeneratorOptions(const GeneratorOptions& options);
 }

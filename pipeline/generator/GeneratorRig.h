@@ -14,12 +14,15 @@ namespace novelview
 /** The cameras of a rig. */
 struct Rig
 {
-  std::vector<Camera> Views;   ///< true cameras, aimed off the object where FrameShift says so
-  std::vector<Camera> Written; ///< what the calibration file says: Views with CalibrationNoisePx
+  std::vector<Camera> Views;   ///< true cameras, aimed off the object by FrameShift
+  std::vector<Camera> Written; ///< what the calibration file states: Views with CalibrationNoisePx
   std::vector<Camera> Tests;
 };
 
-/** The rig for an object; the distance is such that the object fills the frame as asked. */
+/**
+ * The rig for an object; the distance is such that the object takes the requested share of the
+ * frame.
+ */
 Rig MakeRig(vtkPolyData* mesh, const GeneratorOptions& options);
 }
 

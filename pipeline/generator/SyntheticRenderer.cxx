@@ -77,7 +77,7 @@ public:
   std::unique_ptr<OffscreenWindow> Window;
   std::string Name;
 
-  /** A window that holds a tile of so many pixels, reused from photograph to photograph. */
+  /** A window for a tile of this many pixels, reused for all photographs. */
   void OpenWindow(int width, int height)
   {
     width *= this->Scale;

@@ -16,14 +16,15 @@ namespace novelview
 /** A rendered photograph of an object before a black background. */
 struct RenderedPhotograph
 {
-  Image<std::uint8_t> Color;    ///< RGB; at the rim blended with the background by coverage
+  Image<std::uint8_t>
+    Color; ///< RGB; at the silhouette boundary blended with the background by coverage
   Image<std::uint8_t> Coverage; ///< how much of the pixel the object covers: 0 none, 255 all
 };
 
 /**
  * Takes photographs of one object with exactly calibrated cameras: a pixel (u, v) is the mean of
  * supersampling^2 samples spread evenly over [u - 0.5, u + 0.5) x [v - 0.5, v + 0.5), rendered by
- * VTK through OSMesa. The picture is rendered in tiles, so that any size needs little memory.
+ * VTK through OSMesa. The image is rendered in tiles, so that any size needs little memory.
  */
 class SyntheticRenderer
 {
@@ -33,7 +34,7 @@ public:
   ~SyntheticRenderer();
 
   /**
-   * Throws Error when the camera is no camera or does not have the whole object in front of it.
+   * Throws Error when the camera is invalid or does not have the whole object in front of it.
    * `shadow` as in SetShadow().
    */
   RenderedPhotograph Take(const Camera& camera, double shadow = 0);

@@ -28,7 +28,7 @@ namespace
 {
 /**
  * Whether the bytes of a JPEG file lack the end of the picture. OpenCV fills what is missing with
- * grey and says nothing. Within the picture's data no marker can appear by chance, so after its
+ * grey without an error. Within the image's data no marker can appear by chance, so after its
  * start (FF DA) there is an end (FF D9), or the file is cut.
  */
 bool IsTruncatedJpeg(const std::string& bytes)
@@ -66,8 +66,8 @@ void Encode(const fs::path& path, const cv::Mat& mat)
 }
 
 /**
- * Whether a file can have an alpha channel, as far as that is quickly told: JPEG, BMP and the like
- * never have one, and a PNG's first chunks say it.
+ * Whether a file can have an alpha channel, as far as that can be determined quickly: JPEG, BMP and
+ * similar formats never have one, and a PNG's header states it.
  */
 bool MayHaveAlpha(const fs::path& path)
 {
@@ -194,7 +194,7 @@ Image<float> ReadFloatFile(const fs::path& path)
   const cv::Mat mat = DecodePicture(path, cv::IMREAD_UNCHANGED);
   if (mat.type() != CV_32FC1)
   {
-    throw Error(path.string(), "is no depth image", cv::typeToString(mat.type()),
+    throw Error(path.string(), "is not a depth image", cv::typeToString(mat.type()),
       "one channel of 32-bit floats");
   }
   return FromMat<float>(mat);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * Pictures in files, to and from pixels with rows from the top and channels in the order RGB. The
+ * Images in files, to and from pixels with rows from the top and channels in the order RGB. The
  * format follows the extension: PNG, JPEG, TIFF, BMP, PPM and whatever else OpenCV was built with.
  *
  * Every function throws Error, naming the file. Writing goes through WriteAtomically, so folders
@@ -22,7 +22,7 @@ class vtkImageData;
 
 namespace novelview
 {
-/** OpenCV prints about files that it cannot read; here the Error says so. */
+/** OpenCV prints about files that it cannot read; here the Error states so. */
 void SilenceOpenCv();
 
 /** How the colours of a file are read. */
@@ -60,7 +60,7 @@ std::vector<std::uint8_t> EncodeJpeg(
 /** One channel, as a 32-bit float TIFF; the extension must be .tif or .tiff. */
 void WriteFloatFile(const std::filesystem::path& path, const ImageRef<const float>& pixels);
 
-/** Width and height of a picture; a PNG's are read from its header alone. */
+/** Width and height of an image; a PNG's are read from its header alone. */
 struct PictureSize
 {
   int Width = 0;
@@ -72,7 +72,7 @@ PictureSize ReadPictureSize(const std::filesystem::path& path);
 void SetPixels(vtkImageData* image, const char* array, const ImageRef<const std::uint8_t>& pixels);
 void SetPixels(vtkImageData* image, const char* array, const ImageRef<const float>& pixels);
 
-/** A picture as an image block with the point array Color. */
+/** An image as an image block with the point array Color. */
 vtkSmartPointer<vtkImageData> ReadColorImage(const std::filesystem::path& path);
 
 /** Writes a point array of an image block: uint8 x 1, uint8 x 3, or (as TIFF) float x 1. */

@@ -48,7 +48,7 @@ cv::Mat MaskOf(const MaskedPicture& picture)
   return ToMat(picture.Mask) > 127;
 }
 
-/** The picture, black outside its own mask. */
+/** The image, black outside its own mask. */
 cv::Mat Blackened(const MaskedPicture& picture, const cv::Mat& mask)
 {
   cv::Mat color = ToMat(picture.Color);
@@ -64,7 +64,7 @@ cv::Mat Smooth(const cv::Mat& image)
   return result;
 }
 
-/** The map of structural similarity of two grey pictures of 8 bits. */
+/** The map of structural similarity of two grey images of 8 bits. */
 cv::Mat SimilarityMap(const cv::Mat& greyA, const cv::Mat& greyB)
 {
   const double c1 = 0.01 * 255 * 0.01 * 255;

@@ -10,7 +10,7 @@ class vtkImageData;
 
 namespace novelview
 {
-/** A picture of the object: colour (3 channels, RGB) and mask (above 127 = object), same size. */
+/** An image of the object: colour (3 channels, RGB) and mask (above 127 = object), same size. */
 struct MaskedPicture
 {
   ImageRef<const std::uint8_t> Color;
@@ -21,7 +21,7 @@ struct MaskedPicture
 MaskedPicture MaskedPictureOf(vtkImageData* image, const char* where);
 
 /**
- * How near a rendered picture R is to the truth T. Both are first blackened outside their own
+ * How near a rendered image R is to the truth T. Both are first blackened outside their own
  * masks; foreground F = mask of T united with mask of R.
  */
 struct Scores
@@ -37,7 +37,7 @@ struct Scores
 };
 
 /**
- * Throws Error when sizes differ, a picture is smaller than the window, or the true mask is empty.
+ * Throws Error when sizes differ, an image is smaller than the window, or the true mask is empty.
  */
 Scores Compare(const MaskedPicture& rendered, const MaskedPicture& truth);
 

@@ -137,7 +137,7 @@ cv::Mat ChromaDifferenceFrom(const cv::Mat& photo, const cv::Vec3d& key)
   const double size = std::sqrt(chroma.dot(chroma));
   if (size < minChroma)
   {
-    throw Error("background", "its colour has no hue to tell the object by",
+    throw Error("background", "its colour has no hue that distinguishes the object",
       "chroma " + std::to_string(std::lround(size)),
       "at least " + std::to_string(std::lround(minChroma)));
   }

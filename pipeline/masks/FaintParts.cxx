@@ -141,7 +141,7 @@ void AddFaintParts(cv::Mat& mask, const cv::Mat& photo, const cv::Mat& border)
     {
       continue;
     }
-    // Its rim, too, is at half its height.
+    // Its boundary, too, is at half its height.
     const double height = cv::mean(difference, region)[0] - noise;
     region &= difference > noise + height / 2;
     // What lies between the region and the object was too near to the object's light to judge.

@@ -101,7 +101,7 @@ double EdgeScore(const cv::Mat& mask, const cv::Mat& contrast, double noise)
 }
 
 /**
- * The level whose outline follows the edges of the picture best. Too low a level runs through the
+ * The level whose outline follows the edges of the image best. Too low a level runs through the
  * folds of a backdrop, too high a one through the shading of the object; both are smooth. Among
  * about equals (a tenth) the lowest, which keeps the dark parts.
  */

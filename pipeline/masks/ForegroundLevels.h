@@ -9,7 +9,7 @@
 
 namespace novelview
 {
-/** Differences from the background that tell the object from it. */
+/** Thresholds on the difference from the background that separate the object from it. */
 struct ForegroundLevels
 {
   int Noise = 0; ///< median of the background's own differences

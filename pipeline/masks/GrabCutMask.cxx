@@ -71,7 +71,7 @@ Image<std::uint8_t> GrabCutSilhouette(
   constexpr int MinPixels = 16; // GrabCut learns five colours of each side
   if (box.area() < MinPixels || pixels.size().area() - box.area() < MinPixels)
   {
-    throw Error("box", "must hold a part of the photograph and leave one out",
+    throw Error("box", "must contain a part of the photograph and exclude one",
       SizeText(box.width, box.height) + " of " + SizeText(pixels.cols, pixels.rows),
       "at least 16 pixels of each");
   }

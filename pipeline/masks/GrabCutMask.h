@@ -23,12 +23,12 @@ std::array<double, 4> CentralBox(int width, int height, double margin);
 
 /**
  * The silhouette of the object in a box, before any background that also surrounds the box: GrabCut
- * (Rother, Kolmogorov and Blake 2004) as OpenCV has it, on a copy of at most 640 pixels, of which the
- * largest component is kept. The same on every run. One channel, 255 inside, 0 outside, between at
- * the rim of what was enlarged.
+ * (Rother, Kolmogorov and Blake 2004) as implemented in OpenCV, on a copy of at most 640 pixels, of
+ * which the largest component is kept. The same on every run. One channel, 255 inside, 0 outside,
+ * in between at the boundary of what was enlarged.
  *
- * Throws Error when less than 16 pixels of the frame are in the box or outside of it, or when nothing
- * in it differs from what surrounds it.
+ * Throws Error when less than 16 pixels of the frame are in the box or outside of it, or when
+ * nothing in it differs from what surrounds it.
  */
 Image<std::uint8_t> GrabCutSilhouette(
   const ImageRef<const std::uint8_t>& photo, const GrabCutOptions& options);

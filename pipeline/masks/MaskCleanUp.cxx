@@ -44,10 +44,10 @@ cv::Mat CloseGaps(const cv::Mat& mask, int radiusPx)
   return padded(cv::Rect(size, size, mask.cols, mask.rows)).clone();
 }
 
-cv::Mat SoftenRim(const cv::Mat& mask, const cv::Mat& difference, int noise)
+cv::Mat SoftenBoundary(const cv::Mat& mask, const cv::Mat& difference, int noise)
 {
-  // The blur of a photograph: the rim lies within two pixels of where a low level puts it, and the
-  // object's full difference is reached within two more.
+  // The blur of a photograph: the boundary lies within two pixels of where a low level puts it, and
+  // the object's full difference is reached within two more.
   constexpr int rimPx = 2;
   const auto disc = [](int radiusPx)
   {

@@ -14,10 +14,10 @@ void FillSmallHoles(cv::Mat& mask, double smallHole);
 cv::Mat CloseGaps(const cv::Mat& mask, int radiusPx);
 
 /**
- * Coverage near the mask's rim: the difference over the largest one of the object close by, so that
- * 0.5 is the half height of the edge. Elsewhere the mask itself.
+ * Coverage near the mask's boundary: the difference over the largest one of the object close by, so
+ * that 0.5 is the half height of the edge. Elsewhere the mask itself.
  */
-cv::Mat SoftenRim(const cv::Mat& mask, const cv::Mat& difference, int noise);
+cv::Mat SoftenBoundary(const cv::Mat& mask, const cv::Mat& difference, int noise);
 }
 
 #endif

@@ -22,7 +22,7 @@ const cv::Scalar Ground(32, 35, 40);
 const cv::Scalar Ink(230, 232, 237);
 const cv::Scalar OutlineInk(255, 0, 200); ///< a colour few objects have
 
-/** The end of a name that fits under a picture. */
+/** The end of a name that fits under an image. */
 std::string Fitting(const std::string& name)
 {
   constexpr std::size_t Max = 26;

@@ -32,7 +32,7 @@ Image<std::uint8_t> ExtractSilhouette(
   FillSmallHoles(mask, options.SmallHole);
   if (!options.Level)
   {
-    mask = SoftenRim(mask, difference, levels.Noise);
+    mask = SoftenBoundary(mask, difference, levels.Noise);
     // Softening may cut off specks that hung on by the blur alone.
     const cv::Mat body = LargestComponent(mask > 127);
     cv::Mat reach;

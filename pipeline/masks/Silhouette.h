@@ -14,7 +14,7 @@
 
 namespace novelview
 {
-/** How the object is told from a plain background. */
+/** How the object is distinguished from a plain background. */
 struct SilhouetteOptions
 {
   /** Difference from the background's colour (largest of the three channels, 0 to 255) from which
@@ -41,28 +41,29 @@ struct SilhouetteOptions
 
 /**
  * The silhouette of the one object in a photograph (3 channels, RGB) before a plain dark or plain
- * coloured background. One channel: 255 inside, 0 outside, the coverage in between at the rim.
+ * coloured background. One channel: 255 inside, 0 outside, the coverage in between at the
+ * silhouette boundary.
  *
- *  1. Background colour: the most frequent colour along the picture's border, so the object may
+ *  1. Background colour: the most frequent colour along the image's border, so the object may
  *     leave the frame.
  *  2. Difference of every pixel from it. Before a coloured background, what differs only by being
  *     darker is shadow and does not count.
  *  3. Without a level two are chosen: Otsu's, above which is surely object, and a lower one; what
  *     is above that and connected to surely object is object, so that parts in shadow are kept.
- *     The lower one is that whose outline follows the edges of the picture best, so that folds and
+ *     The lower one is that whose outline follows the edges of the image best, so that folds and
  *     lights of a backdrop are left out.
  *  4. Closing, the largest component, small holes filled.
- *  5. The rim is moved to where the difference is half of that just inside of it, since a bright
+ *  5. The boundary is moved to where the difference is half of that just inside of it, since a bright
  *     object's blur is brighter than any low level.
  *  6. Before a dark background, large regions next to the object that differ from it only when
  *     smoothed are added: parts in deep shadow. Not so regions along the frame: a backdrop.
  *
- * Parts of the object no brighter than a dark background cannot be told from it; give masks then.
- * A photograph without any difference gives an empty silhouette.
+ * Parts of the object no brighter than a dark background cannot be distinguished from it; give
+ * masks then. A photograph without any difference gives an empty silhouette.
  *
- * With a Chroma background the difference (2.) is that of the colours without their luma (the Cb and
- * Cr of JPEG, times two) from the nearest shade of the key. Throws Error when the key has no hue, or
- * when nothing along the border is dark with a Dark background.
+ * With a Chroma background the difference (2.) is that of the colours without their luma (the Cb
+ * and Cr of JPEG, times two) from the nearest shade of the key. Throws Error when the key has no
+ * hue, or when nothing along the border is dark with a Dark background.
  */
 Image<std::uint8_t> ExtractSilhouette(
   const ImageRef<const std::uint8_t>& photo, const SilhouetteOptions& options = {});

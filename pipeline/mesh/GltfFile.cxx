@@ -83,7 +83,7 @@ public:
   Json Accessors = Json::array();
 };
 
-/** Adds the mesh's attributes and says which accessors they are. */
+/** Adds the mesh's attributes and returns their accessors. */
 Json PrimitiveOf(const TexturedModel& model, const TriangleMesh& mesh,
   const Eigen::Vector3d& middle, GltfBuffer& buffer)
 {
@@ -96,7 +96,7 @@ Json PrimitiveOf(const TexturedModel& model, const TriangleMesh& mesh,
     const auto tuple = static_cast<vtkIdType>(ptId);
     const Eigen::Vector3f position = (mesh.Points[ptId] - middle).cast<float>();
     positions.insert(positions.end(), position.data(), position.data() + 3);
-    // The specification wants every normal to be of length 1; where there is none any will do.
+    // The specification requires normals of length 1; a missing one is replaced by any.
     Eigen::Vector3d normal(pointData->GetNormals()->GetTuple3(tuple));
     normal = normal.isZero(0) ? model.Up : normal;
     const Eigen::Vector3f unit = normal.cast<float>();

@@ -40,7 +40,7 @@ void FaceCheck::CheckPolygon(
       "3 to " + std::to_string(MaxCorners));
   }
   CheckStrip(corners, pointCount, where);
-  throw Error(where, "too many faces with so many corners; write the mesh as triangles");
+  throw Error(where, "too many faces with this many corners; write the mesh as triangles");
 }
 
 void FaceCheck::CheckStrip(
@@ -77,7 +77,7 @@ vtkSmartPointer<vtkPolyData> MeshAssembly::Finish(const std::string& file) const
 {
   if (this->Faces->GetNumberOfCells() == 0)
   {
-    throw Error(file, "holds no faces");
+    throw Error(file, "contains no faces");
   }
   auto mesh = vtkSmartPointer<vtkPolyData>::New();
   mesh->SetPoints(this->Points);

@@ -17,11 +17,11 @@ TexturedModel MakeTexturedModel(vtkPolyData* mesh, vtkMultiBlockDataSet* views,
   generator->SetInputData(0, mesh);
   generator->SetInputData(1, views);
   generator->SetTextureSize(textureSizePx);
-  generator->SetReferences(options.References);
-  generator->SetPower(options.Power);
-  generator->SetFeatherWidth(options.FeatherPx);
-  generator->SetOcclusionSoftness(options.OcclusionSoftness);
-  generator->SetUseExposureGains(options.ExposureGains);
+  generator->SetReferences(options.Texture.References);
+  generator->SetPower(options.Texture.Power);
+  generator->SetFeatherWidth(options.Texture.FeatherPx);
+  generator->SetOcclusionSoftness(options.Texture.OcclusionPx);
+  generator->SetUseExposureGains(options.Texture.UseGains);
   RunStage("mesh texture", generator, progress, done);
 
   TexturedModel model;

@@ -27,9 +27,9 @@ struct TexturedModel
 };
 
 /**
- * Colours a mesh from the views: as the options blend the photographs, but for no novel camera. The
+ * Colours a mesh from the views: with the blending of the options, but without a novel camera. The
  * texture's sides are at most `textureSizePx`. Runs as the stage "mesh texture". Throws Error, and
- * Interrupted when `progress` asks for a stop.
+ * Interrupted when `progress` requests a stop.
  */
 TexturedModel MakeTexturedModel(vtkPolyData* mesh, vtkMultiBlockDataSet* views,
   const SynthesisOptions& options, int textureSizePx, const StageProgress& progress = {},

@@ -57,7 +57,7 @@ void CheckModelFiles(const std::vector<fs::path>& files, const std::string& opti
   {
     if (std::find(kinds.begin(), kinds.end(), KindOf(file)) == kinds.end())
     {
-      throw UsageError(option, "is no file for a mesh", file.string(), ModelFileKinds());
+      throw UsageError(option, "is not a mesh file", file.string(), ModelFileKinds());
     }
     if (std::count(files.begin(), files.end(), file) > 1)
     {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * Meshes in files for other programs; the extension says which:
+ * Meshes in files for other programs; the extension states which:
  *
  *   .glb   glTF 2.0, one binary file with the texture inside (GltfFile.h)
  *   .obj   with NAME.mtl and the texture NAME.jpg beside it

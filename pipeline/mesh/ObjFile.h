@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * Wavefront OBJ files: vertices `v x y z` and faces `f`, whose corners are `v`, `v/vt`, `v//vn` or
- * `v/vt/vn`, counted from 1 or, negative, from the last one back. A line goes on behind a backslash
- * at its end. Everything else is passed over; of vt and vn only the numbers are checked.
+ * `v/vt/vn`, counted from 1, or backwards from the last one if negative. A line continues after a
+ * backslash at its end. Everything else is passed over; of vt and vn only the numbers are checked.
  */
 #ifndef novelview_ObjFile_h
 #define novelview_ObjFile_h

@@ -129,7 +129,7 @@ vtkSmartPointer<vtkPolyData> MakeObject(vtkPolyData* raw, const std::string& whe
   vtkSmartPointer<vtkPolyData> clean = Triangulated(Bare(raw));
   if (clean->GetNumberOfPolys() == 0)
   {
-    throw Error(where, "mesh holds no triangles");
+    throw Error(where, "mesh contains no triangles");
   }
   vtkNew<vtkPolyDataNormals> orient;
   orient->SetInputData(clean);

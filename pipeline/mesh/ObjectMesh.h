@@ -21,7 +21,7 @@ const std::vector<std::string>& BuiltinObjects();
 std::string ObjectName(const std::string& mesh);
 
 /**
- * The object in a mesh as a file holds it (see MeshFile.h): triangles only, equal points merged,
+ * The object in a mesh as a file contains it (see MeshFile.h): triangles only, equal points merged,
  * neighbouring faces turned the same way, and outwards when the mesh is closed; coordinates as they
  * were, rounded to float. No arrays. Throws Error, with `where`, when that leaves no triangle.
  */
@@ -31,8 +31,8 @@ vtkSmartPointer<vtkPolyData> MakeObject(vtkPolyData* raw, const std::string& whe
  * The object to be photographed: a built-in one by its name (empty = "bunny"), or a mesh file (ply,
  * obj, stl, vtp), as MakeObject() makes it.
  *
- * Throws Error when the file is missing, unreadable, malformed or of another kind, and when it holds
- * no triangle whose corners are at three places.
+ * Throws Error when the file is missing, unreadable, malformed or of another kind, and when it
+ * contains no triangle whose corners are at three places.
  */
 vtkSmartPointer<vtkPolyData> LoadObject(const std::string& mesh);
 }

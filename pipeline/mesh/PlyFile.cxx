@@ -62,10 +62,10 @@ std::size_t FindCorners(const PlyElement& face)
 std::int64_t TakeInteger(PlyValues& values, const PlyType& type, const char* what)
 {
   const double number = values.Take(type);
-  // An ascii file may hold any number; those of the types end at 2^32.
+  // An ascii file may contain any number; those of the types end at 2^32.
   if (!(std::abs(number) <= 4294967295.0) || number != std::floor(number))
   {
-    throw Error(values.Where(), std::string(what) + " is no integer");
+    throw Error(values.Where(), std::string(what) + " is not an integer");
   }
   return static_cast<std::int64_t>(number);
 }

@@ -19,9 +19,9 @@ namespace novelview
 /**
  * The mesh in the bytes of a PLY file: points as they are there, rounded to float, and polygons.
  *
- * Throws Error, with `file` and the line or byte, when the header is malformed or lacks what is read,
- * when the file is shorter or longer than its counts say, when a coordinate is not finite, and when a
- * face has fewer than three corners or one that does not exist.
+ * Throws Error, with `file` and the line or byte, when the header is malformed or lacks what is
+ * read, when the file is shorter or longer than its counts state, when a coordinate is not finite,
+ * and when a face has fewer than three corners or one that does not exist.
  */
 vtkSmartPointer<vtkPolyData> ParsePly(std::string_view bytes, const std::string& file);
 }

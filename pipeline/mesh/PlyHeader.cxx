@@ -138,7 +138,7 @@ PlyHeader ReadPlyHeader(TextLines& lines)
 {
   if (!lines.Next() || lines.Word() != "ply" || !lines.Rest().empty())
   {
-    throw Error(lines.Where(), "is no PLY file: the first line is not \"ply\"");
+    throw Error(lines.Where(), "is not a PLY file: the first line is not \"ply\"");
   }
   PlyHeader header;
   bool hasFormat = false;
@@ -169,7 +169,7 @@ PlyHeader ReadPlyHeader(TextLines& lines)
     }
     if (!lines.Rest().empty())
     {
-      throw Error(lines.Where(), "line goes on behind its end", Quoted(lines.Rest()), "nothing");
+      throw Error(lines.Where(), "line continues after its end", Quoted(lines.Rest()), "nothing");
     }
     if (keyword == "end_header")
     {

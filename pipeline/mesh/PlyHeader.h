@@ -52,7 +52,7 @@ struct PlyElement
   std::vector<PlyProperty> Properties;
 };
 
-/** What a PLY file says about itself. */
+/** What a PLY file states about itself. */
 struct PlyHeader
 {
   PlyEncoding Encoding = PlyEncoding::Ascii;

@@ -52,7 +52,7 @@ public:
   {
     if (!this->Lines.Rest().empty())
     {
-      throw Error(this->Where(), "line has more numbers than the header says",
+      throw Error(this->Where(), "line has more numbers than the header states",
         Quoted(this->Lines.Rest()), "nothing");
     }
   }
@@ -63,11 +63,11 @@ public:
     double number = 0;
     if (word.empty())
     {
-      throw Error(this->Where(), "line has fewer numbers than the header and its lists say");
+      throw Error(this->Where(), "line has fewer numbers than the header and its lists state");
     }
     if (!ParseNumber(word, number))
     {
-      throw Error(this->Where(), "is no number", Quoted(word), "a number");
+      throw Error(this->Where(), "is not a number", Quoted(word), "a number");
     }
     return number;
   }
@@ -90,7 +90,7 @@ public:
   {
     if (this->Lines.NextWithWords())
     {
-      throw Error(this->Where(), "file goes on behind its end", Quoted(this->Lines.Rest()),
+      throw Error(this->Where(), "file continues after its end", Quoted(this->Lines.Rest()),
         "nothing behind the last element");
     }
   }
@@ -155,7 +155,7 @@ public:
     const std::string_view rest = this->Cursor.Rest();
     if (rest.find_first_not_of(" \t\r\n") != std::string_view::npos)
     {
-      throw Error(this->Where(), "file goes on behind its end",
+      throw Error(this->Where(), "file continues after its end",
         std::to_string(rest.size()) + " bytes more", "nothing behind the last element");
     }
   }

@@ -26,7 +26,7 @@ public:
   /** Passes over the numbers of a list. */
   virtual void Skip(std::int64_t count, const PlyType& type) = 0;
 
-  /** Throws Error when what is left of the file cannot hold all instances of the element. */
+  /** Throws Error when what is left of the file cannot contain all instances of the element. */
   virtual void CheckLength(const PlyElement& element) const = 0;
 
   /** Throws Error when there is more than blanks. */

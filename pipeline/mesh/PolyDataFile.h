@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * VTK's meshes as files that are there whole or not at all (AtomicFile.h). VTK's own writers to files
- * do not tell when a disk is full. Every function throws Error, naming the file.
+ * Atomic writing of VTK's meshes (AtomicFile.h). VTK's own writers to files
+ * do not report a full disk. Every function throws Error, naming the file.
  */
 #ifndef novelview_PolyDataFile_h
 #define novelview_PolyDataFile_h

@@ -46,7 +46,7 @@ public:
   {
     if (this->Triangles->GetNumberOfCells() == 0)
     {
-      throw Error(file, "holds no faces");
+      throw Error(file, "contains no faces");
     }
     auto mesh = vtkSmartPointer<vtkPolyData>::New();
     mesh->SetPoints(this->Points.GetPoints());

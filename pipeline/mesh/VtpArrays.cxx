@@ -15,7 +15,7 @@ namespace novelview
 {
 namespace
 {
-/** What a DataArray may hold. */
+/** What a DataArray may contain. */
 struct ArrayType
 {
   std::string_view Name;
@@ -91,7 +91,7 @@ std::vector<T> ParseWords(
       T number{};
       if (!ParseNumberOf(type, word, number))
       {
-        throw Error(where, "array holds what is no number", Quoted(word), "a number");
+        throw Error(where, "array contains what is not a number", Quoted(word), "a number");
       }
       numbers.push_back(number);
     }

@@ -13,7 +13,7 @@ namespace novelview
 /**
  * Reads the arrays of a VTP file, however they are written: as text, or as bytes in base64 or raw,
  * whole or in compressed blocks. Never takes more memory than a small multiple of the file's size, or,
- * for compressed arrays, than the best compression can ask for.
+ * for compressed arrays, than the best compression allows.
  */
 class VtpArrays
 {

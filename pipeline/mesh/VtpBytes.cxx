@@ -35,7 +35,7 @@ bool UncompressLzma(std::string_view block, char* to, std::size_t size)
     written == size;
 }
 
-/** Characters of base64 that stand for so many bytes. */
+/** Characters of base64 for this many bytes. */
 std::size_t Base64Length(std::size_t bytes)
 {
   return (bytes + 2) / 3 * 4;
@@ -62,7 +62,7 @@ std::string FirstBytes(
   return base64 ? bytes : std::string(source.substr(0, count));
 }
 
-/** What a block of a compressed array holds, in bytes; the header is that of ReadBlocks(). */
+/** What a block of a compressed array contains, in bytes; the header is that of ReadBlocks(). */
 std::uint64_t LengthOf(const std::vector<std::uint64_t>& header, std::uint64_t block)
 {
   const bool isPartial = block + 1 == header[0] && header[2] > 0;
@@ -180,7 +180,7 @@ std::string VtpBytes::ReadBlocks(
     }
     if (LengthOf(header, block) > blockSize * MaxExpansion)
     {
-      throw Error(where, "block of the array is too short for what it shall hold");
+      throw Error(where, "block of the array is too short for its contents");
     }
     compressed += blockSize;
     whole += LengthOf(header, block);

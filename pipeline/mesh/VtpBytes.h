@@ -25,7 +25,7 @@ public:
   /** The document must outlive the object. Throws Error when the file's attributes are unknown. */
   explicit VtpBytes(const VtpDocument& document);
 
-  /** The `size` bytes of an array that is no text. Throws Error when they are not as many. */
+  /** The `size` bytes of an array that is not a text. Throws Error when they are not as many. */
   std::string Read(const pugi::xml_node& array, std::uint64_t size) const;
 
   /** Whether the arrays' numbers are big-endian. */

@@ -56,13 +56,13 @@ void VtpDocument::Parse(std::string_view text)
   {
     throw Error(LineOf(this->File, text,
                   static_cast<std::size_t>(std::max<std::ptrdiff_t>(result.offset, 0))),
-      "is no well-formed XML");
+      "is not well-formed XML");
   }
   const pugi::xml_node root = this->Root();
   const std::string_view type = root.attribute("type").value();
   if (!root || type != "PolyData")
   {
-    throw Error(this->Where(root), "is no VTK file of polygons",
+    throw Error(this->Where(root), "is not a VTK file of polygons",
       root ? "the type " + Quoted(type) : "no element VTKFile", "VTKFile of the type \"PolyData\"");
   }
 }

@@ -10,7 +10,7 @@
 
 namespace novelview
 {
-/** The XML of a VTP file; finds its elements and attributes, and says where they are. */
+/** The XML of a VTP file; finds its elements and attributes, and their places for errors. */
 class VtpDocument
 {
 public:

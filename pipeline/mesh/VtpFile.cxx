@@ -37,7 +37,7 @@ public:
     }
     if (this->Polygons->GetNumberOfCells() + this->Strips->GetNumberOfCells() == 0)
     {
-      throw Error(file, "holds no faces");
+      throw Error(file, "contains no faces");
     }
     auto mesh = vtkSmartPointer<vtkPolyData>::New();
     mesh->SetPoints(this->Points);

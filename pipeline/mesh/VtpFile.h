@@ -16,11 +16,12 @@
 namespace novelview
 {
 /**
- * The mesh in the bytes of a VTP file: points as they are there, float or double, polygons and strips.
+ * The mesh in the bytes of a VTP file: points as they are there, float or double, polygons and
+ * strips.
  *
  * Throws Error, with `file` and the line, when the file is malformed, an array is shorter than its
- * counts say, a coordinate is not finite, a face has fewer than three corners or one that does not
- * exist, and when there is no face.
+ * counts state, a coordinate is not finite, a face has fewer than three corners or one that does
+ * not exist, and when there is no face.
  */
 vtkSmartPointer<vtkPolyData> ParseVtp(std::string_view bytes, const std::string& file);
 }

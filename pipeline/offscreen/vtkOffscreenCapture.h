@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class vtkOffscreenCapture
- * @brief Pictures of a vtkRenderer without a display.
+ * @brief Images of a vtkRenderer without a display.
  *
- * Draws with software OpenGL in memory (OSMesa, see OffscreenWindow.h); DISPLAY is never looked at.
+ * Draws with software OpenGL in memory (OSMesa, see OffscreenWindow.h); DISPLAY is never read.
  * The renderer may not belong to a window.
  *
  * Errors: no renderer, a size that is not positive or more than the driver can do, and an OpenGL

@@ -258,7 +258,7 @@ Json ReadJsonObject(const fs::path& path)
   }
   if (!object.is_object())
   {
-    throw UsageError(path.string(), "is no job", object.type_name(), "a JSON object");
+    throw UsageError(path.string(), "is not a job", object.type_name(), "a JSON object");
   }
   return object;
 }

@@ -46,7 +46,7 @@ inline void CheckBox(const std::vector<double>& values, const std::string& where
     if (!(values[axis] < values[axis + 3]))
     {
       throw UsageError(
-        where, "is no box", NumbersText(values), "x0,y0,z0,x1,y1,z1 with x0 < x1 ...");
+        where, "is not a box", NumbersText(values), "x0,y0,z0,x1,y1,z1 with x0 < x1 ...");
     }
   }
 }
@@ -61,8 +61,8 @@ T ParsedNumber(const std::string& word, const std::string& where)
   if (failure != std::errc() || stop != end)
   {
     throw UsageError(where,
-      std::string("is no ") + (std::is_integral_v<T> ? "whole number" : "number"), "'" + word + "'",
-      std::is_integral_v<T> ? "a whole number" : "a number");
+      std::string("is not a ") + (std::is_integral_v<T> ? "whole number" : "number"),
+      "'" + word + "'", std::is_integral_v<T> ? "a whole number" : "a number");
   }
   return number;
 }
@@ -96,7 +96,8 @@ public:
     const std::vector<std::string>& choices = this->Target.Choices;
     if (!choices.empty() && std::find(choices.begin(), choices.end(), word) == choices.end())
     {
-      throw UsageError(this->Where, "is no such choice", "'" + word + "'", RangeText(this->Target));
+      throw UsageError(
+        this->Where, "is not a valid choice", "'" + word + "'", RangeText(this->Target));
     }
     return word;
   }
@@ -105,7 +106,7 @@ public:
     const std::size_t cross = word.find('x');
     if (cross == std::string::npos)
     {
-      throw UsageError(this->Where, "is no size", "'" + word + "'", "like 640x480");
+      throw UsageError(this->Where, "is not a size", "'" + word + "'", "like 640x480");
     }
     *target.Width = this->InRange(ParsedNumber<int>(word.substr(0, cross), this->Where));
     *target.Height = this->InRange(ParsedNumber<int>(word.substr(cross + 1), this->Where));

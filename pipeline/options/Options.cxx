@@ -146,7 +146,7 @@ const Option& FindOption(const OptionTable& table, const std::string& key)
   const Option* option = OptionOfKey(table, key);
   if (!option)
   {
-    throw UsageError(FlagOf(key), "is no option of this command");
+    throw UsageError(FlagOf(key), "is not an option of this command");
   }
   return *option;
 }

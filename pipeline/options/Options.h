@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * Options as tables: one line per option says its key, help, unit, range and where its value lives.
- * Unit and range of a method's option come from the kernels (Parameter.h), as its default does.
- * Reading and writing JSON, command-line options and --help all come from the same table.
+ * Options as tables: one row per option has its key, help, unit, range and the address of its
+ * value. Unit and range of a method's option come from the kernels (Parameter.h), as its default
+ * does. Reading and writing JSON, command-line options and --help all come from the same table.
  */
 #ifndef novelview_Options_h
 #define novelview_Options_h
@@ -33,7 +33,7 @@ struct SizeTarget
 /** What a path of an option becomes: itself, or relative to another folder. */
 using PathMap = std::function<std::filesystem::path(const std::filesystem::path&)>;
 
-/** A value of a type of its own that is written as one word. */
+/** A value of another type that is written as one word. */
 struct WordTarget
 {
   const char* TypeName; ///< in the help: "STAGE"
@@ -43,7 +43,7 @@ struct WordTarget
   std::function<std::string(const PathMap& paths)> Get;
 };
 
-/** Where the value of an option lives; the type says what it accepts. */
+/** The address of the value of an option; the type determines what it accepts. */
 using OptionTarget =
   std::variant<bool*, int*, double*, std::string*, std::filesystem::path*, std::optional<double>*,
     std::optional<std::array<double, 6>>*, std::vector<std::string>*, std::vector<double>*,
@@ -81,7 +81,7 @@ Option ParameterOption(const std::string& key, const std::string& help, const st
 /** Words of a command line by the key of their option, in the order given. */
 using ParsedArguments = std::vector<std::pair<std::string, std::vector<std::string>>>;
 
-/** Hears of what is understood but should be given otherwise, one line each. */
+/** Receives a warning about former names of options, one line each. */
 using OptionWarning = std::function<void(const std::string& text)>;
 
 void AppendOptions(OptionTable& table, OptionTable more);
@@ -125,7 +125,7 @@ void SetFromArguments(
 void SetFromJson(const OptionTable& table, const nlohmann::ordered_json& object,
   const std::filesystem::path& folder, const std::string& where, const OptionWarning& warn = {});
 
-/** All options that are part of a job. Paths are absolute, but for one inside `folder`. */
+/** All options that are part of a job. Paths are absolute, except those inside `folder`. */
 nlohmann::ordered_json ToJson(const OptionTable& table, const std::filesystem::path& folder);
 
 /** Reads the JSON object of a job or a path of cameras. Throws UsageError. */

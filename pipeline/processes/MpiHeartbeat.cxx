@@ -27,7 +27,7 @@ double Now()
   return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
 }
 
-/** What a beat says. */
+/** The message of a beat. */
 enum Beat : char
 {
   Alive,
@@ -64,7 +64,7 @@ MpiHeartbeat::MpiHeartbeat(double timeoutSeconds)
 
 MpiHeartbeat::~MpiHeartbeat()
 {
-  // Beats go on until nobody waits for them.
+  // Beats continue until no process waits for them.
   MPI_Request barrier = MPI_REQUEST_NULL;
   MPI_Ibarrier(this->Beats, &barrier);
   for (int done = 0; !done;)
@@ -124,7 +124,7 @@ void MpiHeartbeat::Send(char beat)
 {
   for (Peer& peer : this->Peers)
   {
-    // A peer that does not listen shall not hold this process up.
+    // A peer that does not listen must not hold this process up.
     int sent = 0;
     MPI_Test(&peer.Sending, &sent, MPI_STATUS_IGNORE);
     if (sent)
@@ -169,7 +169,7 @@ void MpiHeartbeat::Judge(double passedSeconds)
     {
       const std::string text = "process " + std::to_string(peer.Rank) + " of mpirun: silent for " +
         Formatted("%.0f s, which ends all (--rank-timeout)", peer.SilentSeconds);
-      SayLastError(text.c_str());
+      PrintLastError(text.c_str());
       MPI_Abort(MPI_COMM_WORLD, 1);
     }
   }

@@ -15,7 +15,7 @@ namespace novelview
 /**
  * Ends all processes of a run when one of them stops without dying (SIGSTOP, a machine that hangs).
  * A thread in every process sends beats: the first process to all others, these to the first. Who
- * hears nothing for too long says so in one line and calls MPI_Abort. The thread beats during long
+ * receives nothing for too long prints one line and calls MPI_Abort. The thread beats during long
  * stages as well, so only silence counts, not work. Time in which this process itself stood still
  * is no silence of others. Needs MPI_THREAD_MULTIPLE.
  */
@@ -35,7 +35,7 @@ private:
   {
     int Rank = 0;
     double SilentSeconds = 0;
-    bool Left = false; ///< it has said that there are no more beats
+    bool Left = false; ///< it has announced its last beat
     char Beat = 0;     ///< what is being sent to it
     MPI_Request Sending = MPI_REQUEST_NULL;
   };
@@ -49,7 +49,8 @@ private:
 
   const double TimeoutSeconds;
   const double PeriodSeconds;
-  MPI_Comm Beats = MPI_COMM_NULL; ///< of its own, so that no other message is mistaken for a beat
+  MPI_Comm Beats =
+    MPI_COMM_NULL; ///< a separate one, so that no other message is mistaken for a beat
   int Rank = 0;
   std::vector<Peer> Peers;
   std::mutex Guard;

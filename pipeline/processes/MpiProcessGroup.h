@@ -38,7 +38,7 @@ public:
   void EndAll(int code) override;
 
 private:
-  /** What a process tells the first one. */
+  /** A message of a process to the first one. */
   enum Kind : long long
   {
     Ask,    ///< it has nothing to do
@@ -70,10 +70,10 @@ private:
   /** Takes the item if it is made. */
   bool TakeOne(std::size_t item, const Take& take);
 
-  /** Answers the other processes until each has been told that there is no more. */
+  /** Answers the other processes until each knows that there is no more work. */
   void DispatchLoop();
 
-  /** Returns whether the process was told that there is no more. */
+  /** Returns whether the answer was that there is no more work. */
   bool Answer(const long long* header, std::string bytes, int source);
 
   void ThrowFailure();
@@ -84,7 +84,7 @@ private:
   const double RankTimeoutSeconds;
   std::optional<MpiHeartbeat> Heartbeat;
   vtkNew<vtkMPIController> Controller;
-  std::atomic<std::size_t> Next{ 0 }; ///< the first item nobody has
+  std::atomic<std::size_t> Next{ 0 }; ///< the first item that is not assigned
   std::size_t Count = 0;
   std::atomic<bool> Stopped{ false };
   std::atomic<bool> Failed{ false };

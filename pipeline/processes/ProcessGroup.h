@@ -16,7 +16,7 @@
 
 namespace novelview
 {
-/** What the console is to be told of a piece of work. */
+/** A message about an item of work for the console. */
 struct LogRecord
 {
   std::string Text;
@@ -42,7 +42,7 @@ LaunchPlace FindLaunchPlace();
 
 /**
  * The processes of a run. All of them go through a command together; the first, rank 0, reads the
- * photographs, writes every file and tells the user. This class is one process alone; the one that
+ * photographs, writes every file and prints messages. This class is one process alone; the one that
  * StartProcesses() makes may be one of many.
  */
 class ProcessGroup
@@ -72,7 +72,7 @@ public:
   /** Whether another process has failed, so that this one need not go on. */
   virtual bool OtherFailed() const { return false; }
 
-  /** Tells the first process of an error here. Returns false when it does not listen. */
+  /** Reports an error of this process to the first one. Returns false when it does not answer. */
   virtual bool ReportFailure(const std::string& text);
 
   /** Ends all processes at once. Returns only when this is the only one. */
@@ -82,14 +82,14 @@ public:
 /**
  * The processes this one was started with. Without a launcher, one alone, and MPI is not even
  * initialised. Throws Error when there are several, but the program was built without MPI.
- * @param rankTimeoutSeconds the run ends when a process is silent for so long, see MpiHeartbeat.h;
+ * @param rankTimeoutSeconds the run ends when a process is silent for this long, see MpiHeartbeat.h;
  * 0 = never.
  */
 std::unique_ptr<ProcessGroup> StartProcesses(int* argc, char*** argv, double rankTimeoutSeconds);
 
 /**
- * Whether this process has been stopped for so long that the others have ended the run, and said
- * why. May be called by a signal handler.
+ * Whether this process has been stopped for so long that the others have ended the run, and
+ * reported why. May be called by a signal handler.
  */
 bool StoodStillTooLong();
 }

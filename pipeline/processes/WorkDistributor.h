@@ -13,8 +13,8 @@ namespace novelview
 /**
  * A command's work on a data set, by one process or several: what does not depend on the novel
  * camera is made in the first process, with all its threads, and handed to the others; views are
- * shared out, each process with its share of the threads. The console hears the same in the same
- * order as from one process.
+ * shared out, each process with its share of the threads. The console receives the same messages in
+ * the same order as from one process.
  */
 class WorkDistributor
 {
@@ -22,10 +22,10 @@ public:
   /** `threads` of this process; 0 = its share of the machine. */
   WorkDistributor(Console& console, ProcessGroup& processes, int threads);
 
-  /** Whether this process reads the photographs, writes the files and tells the user. */
+  /** Whether this process reads the photographs, writes the files and prints messages. */
   bool Writes() const { return this->Processes.Rank() == 0; }
 
-  /** Tells the console, or keeps notes for the first process to tell. */
+  /** Reports to the console, or records messages for the first process. */
   SynthesisListener Listener();
 
   /**
@@ -37,7 +37,7 @@ public:
   /** Gives the first process's views to all. */
   vtkSmartPointer<vtkMultiBlockDataSet> Share(vtkMultiBlockDataSet* views);
 
-  /** ProcessGroup::ForEach, and Interrupted when the console asks for a stop. */
+  /** ProcessGroup::ForEach, and Interrupted when the console requests a stop. */
   void ForEach(std::size_t count, const ProcessGroup::Make& make, const ProcessGroup::Take& take);
 
 private:
@@ -50,7 +50,7 @@ private:
   bool Noting = false;
 };
 
-/** A picture with its arrays Color and Mask only; pixels are shared. */
+/** An image with its arrays Color and Mask only; pixels are shared. */
 vtkSmartPointer<vtkImageData> PictureOnly(vtkImageData* image);
 }
 

@@ -140,7 +140,7 @@ std::string LineTags(const ReportLine& line, const ChartFrame& frame, int number
       continue;
     }
     path += (path.empty() ? "M" : "L") + Px(frame.X(x)) + " " + Px(frame.Y(y));
-    // What a pointer that rests on a dot is told.
+    // The tooltip of a point.
     dots += "<circle r=\"3.5\" cx=\"" + Px(frame.X(x)) + "\" cy=\"" + Px(frame.Y(y)) +
       "\"><title>" + HtmlEscaped(line.Name) + " " + Formatted("%.6g", x) + ": " +
       Formatted("%.6g", y) + "</title></circle>";

@@ -53,7 +53,7 @@ std::string CellTag(const ReportCell& cell, bool first, double part)
   return tag + ">" + HtmlEscaped(cell.Text) + (first ? "</th>" : "</td>");
 }
 
-/** Replaces each {{NAME}} of the template once, so that what is put in is never looked at again. */
+/** Replaces each {{NAME}} of the template once, so that inserted text is not expanded again. */
 std::string Filled(const std::string& text, const std::vector<std::array<std::string, 2>>& values)
 {
   std::string filled;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * A report as one HTML file that needs nothing else: pictures, styles and script are inside, nothing
+ * A report as one HTML file that needs nothing else: images, styles and script are inside, nothing
  * is fetched. Everything can be read without the script, which adds sliders and a player.
  *
  * All texts are plain: they are escaped here, and bytes that are no UTF-8 are replaced.
@@ -20,7 +20,7 @@
 
 namespace novelview
 {
-/** A picture inside a page. */
+/** An image inside a page. */
 struct ReportPicture
 {
   std::string Name;    ///< short, e.g. for a choice: "full"
@@ -59,7 +59,7 @@ struct ReportTable
   int BarColumn = -1; ///< its numbers are also drawn as bars; -1 = none
 };
 
-/** One step of a player: its line of text and a picture for each of the player's tracks. */
+/** One step of a player: its line of text and an image for each of the player's tracks. */
 struct ReportFrame
 {
   std::string Caption;
@@ -79,10 +79,10 @@ public:
   void AddTiles(const std::vector<std::pair<std::string, std::string>>& tiles);
   void AddGallery(const std::vector<ReportPicture>& pictures);
   void AddPicture(const ReportPicture& picture);
-  /** Pictures of one size, of which any two can be laid over each other with a slider. */
+  /** Images of one size, of which any two can be laid over each other with a slider. */
   void AddComparison(const std::string& id, const std::vector<ReportPicture>& pictures,
     const std::string& left, const std::string& right);
-  /** Pictures one after the other. */
+  /** Images one after the other. */
   void AddPlayer(const std::string& id, const std::vector<ReportFrame>& frames);
   void AddTable(const ReportTable& table);
   void AddCharts(const std::vector<ReportChart>& charts);

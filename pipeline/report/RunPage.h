@@ -17,14 +17,14 @@
 
 namespace novelview
 {
-/** What the page of a run tells beside the files that the run has written; all is borrowed. */
+/** Contents of the page of a run in addition to the files that the run has written; not owned. */
 struct RunPageInput
 {
   std::string Title;
   std::filesystem::path Folder;          ///< of the results, with all files but the page
   const RunReport* Report = nullptr;     ///< finished
   vtkMultiBlockDataSet* Views = nullptr; ///< the photographs used
-  nlohmann::ordered_json Job;            ///< as job.json has it
+  nlohmann::ordered_json Job;            ///< contents of job.json
   nlohmann::ordered_json Timings;        ///< as Console::TimingsText() has them
   std::vector<std::string> Warnings;
   Camera Novel;
@@ -33,7 +33,7 @@ struct RunPageInput
 
 /**
  * report.html of a run: what went in, the stages side by side, the iterations as a player (at most
- * 60 of them with pictures, evenly chosen), the same in the form of the paper, tables, charts, timings
+ * 60 of them with images, evenly chosen), the same in the form of the paper, tables, charts, timings
  * and the job. The file depends on
  * nothing beside it.
  */

@@ -71,7 +71,7 @@ Image<std::uint8_t> UnseenMap(vtkImageData* image)
   return unseen;
 }
 
-/** Error map as a grey picture, a level of error a level of grey, four times as bright. */
+/** Error map as a grey image, a level of error a level of grey, four times as bright. */
 Image<std::uint8_t> ErrorPicture(vtkImageData* image, vtkImageData* truth)
 {
   const Image<float> error =

@@ -15,7 +15,7 @@
 
 namespace novelview
 {
-/** What pictures may be named after in a run to the stage `upTo`: its stages and the oracle. */
+/** What images may be named after in a run to the stage `upTo`: its stages and the oracle. */
 std::vector<std::string> PictureStages(Stage upTo);
 
 /** Scores as every summary has them: rms, psnr, ssim, iou, missing, excess. */
@@ -34,7 +34,7 @@ std::string IterationName(Stage step, int iteration);
 std::vector<std::filesystem::path> FilesOfRun(
   Stage upTo, int outlineIterations, int nonOutlineIterations);
 
-/** A line of the tables: what IterationState tells, with the scores where there is a truth. */
+/** A row of the tables: values of IterationState, with the scores if there is a truth. */
 struct TableRow
 {
   Stage Step = Stage::Outline;
@@ -86,7 +86,7 @@ public:
   {
     return this->StageScores;
   }
-  /** The pictures of the same, as they came. */
+  /** The images of the same, as they came. */
   const std::vector<vtkSmartPointer<vtkImageData>>& StageImages() const { return this->Images; }
   const std::vector<TableRow>& Iterations() const { return this->Rows; }
   vtkImageData* TrueImage() const { return this->Truth; } ///< null when there is none

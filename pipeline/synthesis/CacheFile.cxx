@@ -113,7 +113,7 @@ void CacheFile::ReadDirectory(const std::string& key)
   struct stat status = {};
   if (::fstat(this->Descriptor, &status) != 0 || !S_ISREG(status.st_mode))
   {
-    throw Error(where, "is no regular file");
+    throw Error(where, "is not a regular file");
   }
   this->Size = static_cast<std::uint64_t>(status.st_size);
   const std::string directory = this->CheckedDirectory();
@@ -146,7 +146,7 @@ void CacheFile::ReadDirectory(const std::string& key)
   }
 }
 
-/** The directory's bytes but for its checksum, which is right. */
+/** The directory's bytes without its checksum, which is correct. */
 std::string CacheFile::CheckedDirectory() const
 {
   const std::string where = this->Path.string();
@@ -160,7 +160,7 @@ std::string CacheFile::CheckedDirectory() const
   if (!std::equal(MagicBytes.begin(), MagicBytes.end(), start.Magic.begin()) ||
     start.Version != CurrentVersion)
   {
-    throw Error(where, "is no cache file of this version");
+    throw Error(where, "is not a cache file of this version");
   }
   if (start.DirectoryLength < least || start.DirectoryLength > this->Size)
   {

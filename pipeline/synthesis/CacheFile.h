@@ -33,7 +33,7 @@ public:
   CacheFile(const CacheFile&) = delete;
   void operator=(const CacheFile&) = delete;
 
-  /** Whether there is anything at the path, as far as can be told: a file, a folder, a secret. */
+  /** Whether the path exists, or cannot be read. */
   static bool Exists(const std::filesystem::path& path);
 
   /** The names of the sections. */

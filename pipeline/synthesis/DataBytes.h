@@ -12,9 +12,10 @@
 namespace novelview
 {
 /**
- * VTK's data as bytes and back, for the cache: points, cells and all numeric arrays, each compressed
- * by LZ4. What is unpacked has the same bits. Unpacking is safe for any bytes: it throws Error when
- * lengths, types or point ids do not fit, and allocates no more than the bytes can hold.
+ * VTK's data as bytes and back, for the cache: points, cells and all numeric arrays, each
+ * compressed by LZ4. What is unpacked has the same bits. Unpacking is safe for any bytes: it throws
+ * Error when lengths, types or point ids do not fit, and allocates no more than the bytes can
+ * contain.
  *
  * @param where names the bytes in errors.
  */

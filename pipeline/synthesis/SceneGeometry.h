@@ -20,7 +20,7 @@ struct SceneGeometry
   vtkSmartPointer<vtkPolyData> MedialBalls;
   vtkSmartPointer<vtkMultiBlockDataSet>
     Views;                           ///< the photographs as deformers and mapper want them
-  std::vector<std::string> Warnings; ///< what was said on the way
+  std::vector<std::string> Warnings; ///< warnings of the stages
 };
 
 /** A named part of a scene as bytes. */

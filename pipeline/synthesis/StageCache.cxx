@@ -72,7 +72,7 @@ private:
   std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> State;
 };
 
-/** The file of the library, or program, that holds a function. */
+/** The file of the library, or program, that contains a function. */
 fs::path FileOf(const void* function)
 {
   Dl_info info;

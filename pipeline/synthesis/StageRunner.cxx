@@ -31,7 +31,7 @@ std::string OwnText(const std::string& text)
   return own;
 }
 
-/** Listens to one filter for as long as it lives. */
+/** Observes one filter during its lifetime. */
 class StageObserver
 {
 public:
@@ -41,7 +41,7 @@ public:
     , Progress(progress)
   {
     this->Command->SetClientData(this);
-    this->Command->SetCallback(&StageObserver::Hear);
+    this->Command->SetCallback(&StageObserver::OnEvent);
     filter->AddObserver(vtkCommand::ErrorEvent, this->Command);
     filter->AddObserver(vtkCommand::ProgressEvent, this->Command);
     filter->AddObserver(vtkCommand::StartEvent, this->Command);
@@ -58,12 +58,12 @@ public:
   bool Executed = false; ///< it was not up to date already
 
 private:
-  static void Hear(vtkObject* caller, unsigned long event, void* clientData, void* callData)
+  static void OnEvent(vtkObject* caller, unsigned long event, void* clientData, void* callData)
   {
     auto* self = static_cast<StageObserver*>(clientData);
     if (event == vtkCommand::ErrorEvent)
     {
-      // The executive's own error only says that the filter failed.
+      // The executive's own error only states that the filter failed.
       if (self->FirstError.empty() || caller == self->Filter)
       {
         self->FirstError = OwnText(static_cast<const char*>(callData));
@@ -119,7 +119,7 @@ void RunStage(const std::string& stage, vtkAlgorithm* filter, const StageProgres
 
 namespace
 {
-/** A stage that runs in a thread of its own. */
+/** A stage that runs in its own thread. */
 class StageBeside
 {
 public:

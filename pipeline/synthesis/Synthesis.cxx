@@ -24,7 +24,7 @@ std::string Pixels(double length)
   return Formatted("%.1f px", length);
 }
 
-/** A picture without a single pixel of the object is nothing to hand out silently. */
+/** An image without a single pixel of the object is nothing to hand out silently. */
 void RequireObject(vtkImageData* image)
 {
   const auto mask = TopDownArray<const unsigned char>(image, arrays::Mask, 1, "novel view", true);
@@ -105,7 +105,7 @@ public:
     {
       return this->Kept->Views;
     }
-    // Without depth maps nothing has asked for them yet.
+    // Without depth maps they have not been computed yet.
     vtkAlgorithm* source = this->Filters.Mapper->GetInputAlgorithm(1, 0);
     source->Update();
     return vtkMultiBlockDataSet::SafeDownCast(source->GetOutputDataObject(0));
@@ -193,7 +193,7 @@ private:
     }
   }
 
-  /** Whether the cache has it all; looks there once. */
+  /** Whether the cache has all results; reads it once. */
   bool Load()
   {
     if (!this->Kept && this->Cache && !this->Looked)
@@ -257,16 +257,16 @@ private:
   }
 
   /**
-   * Tells what is wrong with the cache, which no run needs: once, since an entry that cannot be read
+   * Reports problems of the cache, which no run needs: once, since an entry that cannot be read
    * often cannot be written either, and none of the warnings that are kept.
    */
   void WarnOfCache(const std::string& text)
   {
-    if (!this->ToldOfCache && this->Listener.Warn)
+    if (!this->WarnedOfCache && this->Listener.Warn)
     {
       this->Listener.Warn("cache: " + text);
     }
-    this->ToldOfCache = true;
+    this->WarnedOfCache = true;
   }
 
   /** Refined cameras change all that comes before them, too. */
@@ -353,10 +353,10 @@ private:
     }
   }
 
-  /** Tells once what was done to the silhouettes, and of components that were left out. */
+  /** Reports once what was done to the silhouettes, and components that were left out. */
   void WarnOfHull()
   {
-    if (std::exchange(this->ToldOfHull, true))
+    if (std::exchange(this->WarnedOfHull, true))
     {
       return;
     }
@@ -390,7 +390,7 @@ private:
     }
   }
 
-  /** Tells of every silhouette that was enlarged. */
+  /** Reports every silhouette that was enlarged. */
   void WarnOfOffsets()
   {
     vtkMultiBlockDataSet* views = this->Filters.Reconciler->GetOutput();
@@ -423,7 +423,7 @@ private:
   vtkSmartPointer<vtkImageData> Textured(vtkPolyData* mesh, const char* stage)
   {
     this->Filters.Mapper->SetInputData(0, mesh);
-    // Pictures taken between iterations are part of their stage, and not told of.
+    // Images between iterations are part of their stage and are not reported.
     stage ? this->Run(stage, this->Filters.Mapper) : RunStage("texture", this->Filters.Mapper);
     auto image = vtkSmartPointer<vtkImageData>::New();
     image->ShallowCopy(this->Filters.Mapper->GetOutput());
@@ -487,8 +487,8 @@ private:
   bool Looked = false;
   bool Stored = false;
   std::vector<std::string> Warnings;
-  bool ToldOfCache = false;
-  bool ToldOfHull = false;
+  bool WarnedOfCache = false;
+  bool WarnedOfHull = false;
   bool TriedRepair = false;
   bool TriedCameras = false; ///< whether the cameras are as good as they get
 };

@@ -29,8 +29,8 @@ struct IterationState
   double MeanContour = 0;      ///< contour term (outline) or hull term (non-outline)
   double MeanSmooth = 0;       ///< smoothness term
   long PointsMoved = 0;
-  vtkPolyData* Mesh = nullptr;   ///< borrowed; point arrays as the deformers document them
-  vtkImageData* Image = nullptr; ///< borrowed; the novel view textured with this mesh
+  vtkPolyData* Mesh = nullptr;   ///< not owned; point arrays as the deformers document them
+  vtkImageData* Image = nullptr; ///< not owned; the novel view textured with this mesh
 };
 
 /** A finished novel view. */
@@ -40,14 +40,14 @@ struct NovelView
   vtkSmartPointer<vtkPolyData> Mesh;   ///< the refined mesh
 };
 
-/** What a run tells while it works. All members may be left empty. */
+/** Callbacks of a run. All members may be left empty. */
 struct SynthesisListener
 {
-  /** A stage begins or goes on; fraction 0 to 1. Returns false to ask for a stop. */
+  /** A stage begins or goes on; fraction 0 to 1. Returns false to request a stop. */
   std::function<bool(const std::string& stage, double fraction)> Progress;
-  /** A stage has ended after so many seconds. */
+  /** A stage has ended after this many seconds. */
   std::function<void(const std::string& stage, double seconds)> StageDone;
-  /** Two stages ran at the same time, and took so many seconds less than the sum of both. */
+  /** Two stages ran at the same time, and took this many seconds less than the sum of both. */
   std::function<void(double seconds)> StagesOverlapped;
   /** Something the user should read. */
   std::function<void(const std::string& text)> Warn;
@@ -64,7 +64,7 @@ class Synthesis
 public:
   Synthesis(
     vtkMultiBlockDataSet* views, const SynthesisOptions& options, SynthesisListener listener = {});
-  /** From what another one has Prepared(), in this process or another. It knows no hull. */
+  /** From the Prepared() results of another one, in this process or another. It has no hull. */
   Synthesis(const SceneGeometry& prepared, const SynthesisOptions& options,
     SynthesisListener listener = {});
   ~Synthesis();
@@ -84,10 +84,10 @@ public:
    */
   vtkPolyData* WholeObject(Stage upTo);
 
-  /** The picture the camera would take, with the geometry refined up to `upTo`. */
+  /** The image of the camera, with the geometry refined up to `upTo`. */
   NovelView Render(const Camera& camera, Stage upTo);
 
-  /** The same with the picture after each stage on the way: hull, outline, full. */
+  /** The same with the image after each stage on the way: hull, outline, full. */
   std::vector<NovelView> RenderStages(const Camera& camera, Stage upTo);
 
   /** The texture mapper alone on any mesh: the oracle, when it is the true one. */

@@ -33,7 +33,7 @@ Option StageOption(Stage& upTo)
         return;
       }
     }
-    throw UsageError(where, "is no stage", "'" + word + "'", range);
+    throw UsageError(where, "is not a stage", "'" + word + "'", range);
   };
   target.Get = [&upTo](const PathMap&) { return StageName(upTo); };
   return { "stage", "how far the geometry is refined", "", "Method", target };
@@ -53,14 +53,14 @@ SynthesisOptions PresetOptions(const std::string& preset)
     options.ReconcileSilhouettes = true;
     options.RepairSilhouettes = true;
     options.UseDepthMaps = true;
-    options.LongestEdgePx = 2;
-    options.ContourPrediction = true;
-    options.References = 4;
-    options.Power = 16;
-    options.FeatherPx = 20;
-    options.OcclusionSoftness = 1.5;
-    options.ExposureGains = true;
-    options.BoundarySamples = 3;
+    options.Culler.LongestEdgePx = 2;
+    options.DepthMaps.UsePrediction = true;
+    options.Texture.References = 4;
+    options.Texture.Power = 16;
+    options.Texture.FeatherPx = 20;
+    options.Texture.OcclusionPx = 1.5;
+    options.Texture.UseGains = true;
+    options.Texture.BoundarySamples = 3;
     return options;
   }
   throw Error("preset", "unknown", preset, "best or paper");
@@ -91,9 +91,8 @@ OptionTable OptionsOf(SynthesisOptions& options)
   const char* const depth = "Depth maps";
   const char* const texture = "Texture mapper";
   return {
-    OfView(
-      { "preset", "defaults of all stage options: the paper's, or what gives the best pictures", "",
-        "Method", &options.Preset, -Unlimited, Unlimited, { "best", "paper" } }),
+    OfView({ "preset", "defaults of all stage options: the paper's, or those with the best images",
+      "", "Method", &options.Preset, -Unlimited, Unlimited, { "best", "paper" } }),
     OfView({ "cache",
       "folder that keeps hull, crust and depth maps for further runs on the same photographs", "",
       "Method", &options.Cache }),
@@ -106,56 +105,59 @@ OptionTable OptionsOf(SynthesisOptions& options)
     { "repairSilhouettes", "add to silhouettes the parts that only they lack", "", hull,
       &options.RepairSilhouettes },
     ParameterOption("hullSpacing", "distance between surface samples, in the photographs", hull,
-      &options.HullSpacingPx, VisualHullParameters::SpacingPx),
-    { "hullBox", "search box x0,y0,z0,x1,y1,z1; found from the silhouettes when not given",
-      "world units", hull, &options.HullBox },
-    { "hullKeepAll", "keep every component, not only the largest", "", hull, &options.HullKeepAll },
+      &options.Hull.SpacingPx, VisualHullOptions::SpacingPxParameter),
+    { "hullBox", "search box x0,y0,z0,x1,y1,z1; computed from the silhouettes if not given",
+      "world units", hull, &options.Hull.Box },
+    { "hullKeepAll", "keep every component, not only the largest", "", hull,
+      &options.Hull.KeepAllComponents },
     OfView(ParameterOption("longestEdge",
-      "cut longer edges of what the novel camera sees at their middle, once; 0 = leave all whole",
-      "Visibility culler", &options.LongestEdgePx, VisibilityParameters::LongestEdgePx)),
-    OfView(ParameterOption("outlineIterations", "most rounds of moves", outline,
-      &options.OutlineIterations, DeformationParameters::Iterations)),
+      "split longer edges of what the novel camera sees at their midpoints, once; 0 = none",
+      "Visibility culler", &options.Culler.LongestEdgePx,
+      VisibilityOptions::LongestEdgePxParameter)),
+    OfView(ParameterOption("outlineIterations", "maximum number of iterations", outline,
+      &options.Outline.Iterations, IterationsParameter)),
     OfView(ParameterOption("outlineAlpha", "weight of the contour energy", outline,
-      &options.OutlineAlpha, OutlineParameters::Alpha)),
+      &options.Outline.Alpha, OutlineOptions::AlphaParameter)),
     OfView(ParameterOption("outlineBeta", "weight of the smoothness energy", outline,
-      &options.OutlineBeta, OutlineParameters::Beta)),
-    OfView(ParameterOption("outlineSearch", "how far to either side a point may look", outline,
-      &options.OutlineSearchPx, OutlineParameters::SearchPx)),
-    OfView(ParameterOption("nonOutlineIterations", "most rounds of moves", nonOutline,
-      &options.NonOutlineIterations, DeformationParameters::Iterations)),
+      &options.Outline.Beta, OutlineOptions::BetaParameter)),
+    OfView(ParameterOption("outlineSearch", "search range of a point, to either side", outline,
+      &options.Outline.SearchPx, OutlineOptions::SearchPxParameter)),
+    OfView(ParameterOption("nonOutlineIterations", "maximum number of iterations", nonOutline,
+      &options.NonOutline.Iterations, IterationsParameter)),
     OfView(ParameterOption("nonOutlineAlpha", "weight of the smoothness energy", nonOutline,
-      &options.NonOutlineAlpha, NonOutlineParameters::Alpha)),
+      &options.NonOutline.Alpha, NonOutlineOptions::AlphaParameter)),
     { "depthMaps",
-      "find the surface by a depth map in every photograph, not by the paper's energies", "", depth,
-      &options.UseDepthMaps },
+      "locate the surface by a depth map for every photograph, not by the paper's energies", "",
+      depth, &options.UseDepthMaps },
     OfView(ParameterOption("silhouettePrior",
-      "weight of 'object' against the depth maps' votes at the outline; 0 = found from the data",
-      depth, &options.SilhouettePrior, FusionParameters::SilhouettePrior)),
+      "weight of 'object' against the depth maps' votes at the outline; 0 = estimated from the "
+      "data",
+      depth, &options.DepthMaps.SilhouettePrior, DepthMapOptions::SilhouettePriorParameter)),
     OfView(ParameterOption("depthNoise",
-      "by how much the depth maps are off: how finely they are followed; 0 = measured", depth,
-      &options.DepthNoise, FusionParameters::DepthNoise)),
+      "error of the depth maps, which determines how closely they are followed; 0 = measured",
+      depth, &options.DepthMaps.DepthNoise, DepthMapOptions::DepthNoiseParameter)),
     OfView({ "contourPrediction",
       "refine the outline by the contour interpolated from the photographs' contours", "", depth,
-      &options.ContourPrediction }),
+      &options.DepthMaps.UsePrediction }),
     OfView(ParameterOption("references", "photographs blended per pixel", texture,
-      &options.References, TextureParameters::References)),
+      &options.Texture.References, TextureOptions::ReferencesParameter)),
     OfView(ParameterOption("power", "m of the blending weight cos(angle)^m", texture,
-      &options.Power, TextureParameters::Power)),
+      &options.Texture.Power, TextureOptions::PowerParameter)),
     OfView(ParameterOption("feather",
       "a photograph's weight grows over this from its silhouette's border inwards", texture,
-      &options.FeatherPx, TextureParameters::FeatherPx)),
+      &options.Texture.FeatherPx, TextureOptions::FeatherPxParameter)),
     OfView(ParameterOption("occlusionSoftness", "softness of the occlusion test; 0 = hard", texture,
-      &options.OcclusionSoftness, TextureParameters::OcclusionPx)),
+      &options.Texture.OcclusionPx, TextureOptions::OcclusionPxParameter)),
     OfView({ "exposureGains", "bring the photographs to one exposure; needs the depth maps", "",
-      texture, &options.ExposureGains }),
+      texture, &options.Texture.UseGains }),
     Formerly("rimSamples",
       OfView(ParameterOption("boundarySamples",
         "subsamples per pixel side at the silhouette boundary; even numbers are raised by one; 1 = "
         "no antialiasing",
-        texture, &options.BoundarySamples, TextureParameters::BoundarySamples))),
+        texture, &options.Texture.BoundarySamples, TextureOptions::BoundarySamplesParameter))),
     Formerly("softRim",
-      OfView({ "softBoundary", "draw also pixels of which less than half is covered; for films", "",
-        texture, &options.SoftBoundary })),
+      OfView({ "softBoundary", "draw also pixels of which less than half is covered; for videos",
+        "", texture, &options.Texture.SoftBoundary })),
   };
 }
 }

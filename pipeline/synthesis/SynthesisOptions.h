@@ -2,12 +2,12 @@
 #ifndef novelview_SynthesisOptions_h
 #define novelview_SynthesisOptions_h
 
-#include "deformation/DeformationParameters.h"
-#include "fusion/FusionParameters.h"
-#include "geometry/VisibilityParameters.h"
-#include "hull/VisualHullParameters.h"
+#include "deformation/DeformationOptions.h"
+#include "fusion/DepthMapOptions.h"
+#include "geometry/VisibilityOptions.h"
+#include "hull/VisualHullOptions.h"
 #include "options/Options.h"
-#include "texture/TextureParameters.h"
+#include "texture/TextureOptions.h"
 
 #include <array>
 #include <filesystem>
@@ -47,56 +47,17 @@ struct SynthesisOptions
   bool ReconcileSilhouettes = false; ///< enlarge those that are too small for all the others
   bool RepairSilhouettes = false;    ///< add parts that most of the others show
 
-  // ---- hull
-  /** Sample spacing, input pixels. */
-  double HullSpacingPx = VisualHullParameters::SpacingPx.Default;
-  /** x0 y0 z0 x1 y1 z1; found when not given. */
-  std::optional<std::array<double, 6>> HullBox;
-  /** Keep every component, not only the largest. */
-  bool HullKeepAll = VisualHullParameters::KeepAllComponents;
-
-  // ---- visibility culler
-  /** Cut longer edges of what the camera sees at their middle; 0 = none. */
-  double LongestEdgePx = VisibilityParameters::LongestEdgePx.Default;
-
-  // ---- outline deformer
-  int OutlineIterations = DeformationParameters::Iterations.Default;
-  /** Weight of the contour energy. */
-  double OutlineAlpha = OutlineParameters::Alpha.Default;
-  /** Weight of the smoothness energy. */
-  double OutlineBeta = OutlineParameters::Beta.Default;
-  double OutlineSearchPx = OutlineParameters::SearchPx.Default;
-
-  // ---- non-outline deformer
-  int NonOutlineIterations = DeformationParameters::Iterations.Default;
-  /** Weight of the smoothness energy. */
-  double NonOutlineAlpha = NonOutlineParameters::Alpha.Default;
+  // ---- the kernels' options
+  VisualHullOptions Hull;
+  VisibilityOptions Culler;
+  OutlineOptions Outline;       ///< Iterations also without depth maps
+  NonOutlineOptions NonOutline; ///< the same
+  TextureOptions Texture;       ///< UseDepthMaps is the one below
 
   // ---- depth maps of the photographs
   /** Estimate them, and let deformers and mapper use them. */
-  bool UseDepthMaps = TextureParameters::UseDepthMaps;
-  /** Weight of "object" when they decide the outline; 0 = found. */
-  double SilhouettePrior = FusionParameters::SilhouettePrior.Default;
-  /** By how much they are off, pixel footprints; 0 = measured. */
-  double DepthNoise = FusionParameters::DepthNoise.Default;
-  /** Refine the outline by the photographs' contours. */
-  bool ContourPrediction = FusionParameters::UsePrediction;
-
-  // ---- texture mapper
-  /** Photographs blended per pixel. */
-  int References = TextureParameters::References.Default;
-  /** m of the weight W^m. */
-  double Power = TextureParameters::Power.Default;
-  /** A photograph's weight grows over this from its contour inwards. */
-  double FeatherPx = TextureParameters::FeatherPx.Default;
-  /** Pixel footprints; 0 = hard. */
-  double OcclusionSoftness = TextureParameters::OcclusionPx.Default;
-  /** Bring the photographs to one exposure; needs depth maps. */
-  bool ExposureGains = TextureParameters::UseGains;
-  /** Subsamples per pixel side at the silhouette boundary; 1 = no antialiasing. */
-  int BoundarySamples = TextureParameters::BoundarySamples.Default;
-  /** Also draw pixels of which less than half is covered; for films. */
-  bool SoftBoundary = TextureParameters::SoftBoundary;
+  bool UseDepthMaps = false;
+  DepthMapOptions DepthMaps;
 };
 
 /** The defaults of a preset; throws Error on an unknown name. */

@@ -17,17 +17,13 @@ vtkSmartPointer<vtkViewDeformer> MakeOutlineDeformer(const SynthesisOptions& opt
   if (options.UseDepthMaps)
   {
     const auto deformer = vtkSmartPointer<vtkTsdfOutlineDeformer>::New();
-    deformer->SetNumberOfIterations(options.OutlineIterations);
-    deformer->SetSilhouettePrior(options.SilhouettePrior);
-    deformer->SetUseContourPrediction(options.ContourPrediction);
-    deformer->SetDepthNoise(options.DepthNoise);
+    deformer->SetNumberOfIterations(options.Outline.Iterations);
+    deformer->SetOptions(options.DepthMaps);
     return deformer;
   }
   const auto deformer = vtkSmartPointer<vtkOutlineDeformer>::New();
-  deformer->SetNumberOfIterations(options.OutlineIterations);
-  deformer->SetContourWeight(options.OutlineAlpha);
-  deformer->SetSmoothWeight(options.OutlineBeta);
-  deformer->SetSearchRange(options.OutlineSearchPx);
+  deformer->SetNumberOfIterations(options.Outline.Iterations);
+  deformer->SetOptions(options.Outline);
   return deformer;
 }
 
@@ -36,13 +32,13 @@ vtkSmartPointer<vtkViewDeformer> MakeNonOutlineDeformer(const SynthesisOptions& 
   if (options.UseDepthMaps)
   {
     const auto deformer = vtkSmartPointer<vtkTsdfNonOutlineDeformer>::New();
-    deformer->SetNumberOfIterations(options.NonOutlineIterations);
-    deformer->SetDepthNoise(options.DepthNoise);
+    deformer->SetNumberOfIterations(options.NonOutline.Iterations);
+    deformer->SetOptions(options.DepthMaps);
     return deformer;
   }
   const auto deformer = vtkSmartPointer<vtkNonOutlineDeformer>::New();
-  deformer->SetNumberOfIterations(options.NonOutlineIterations);
-  deformer->SetSmoothWeight(options.NonOutlineAlpha);
+  deformer->SetNumberOfIterations(options.NonOutline.Iterations);
+  deformer->SetOptions(options.NonOutline);
   return deformer;
 }
 }
@@ -71,10 +67,11 @@ SynthesisStages::SynthesisStages(vtkMultiBlockDataSet* views, const SynthesisOpt
   this->Culler->SetInputConnection(this->Mesher->GetOutputPort());
   this->Outline->SetInputConnection(0, this->Culler->GetOutputPort());
   this->NonOutline->SetInputConnection(0, this->Outline->GetOutputPort());
-  this->Culler->SetMaximumEdgeLength(options.LongestEdgePx);
-  this->SetHullOptions(options);
-  this->SetMapperOptions(options);
-  this->Refiner->SetDepthNoise(options.DepthNoise);
+  this->HullSource->SetOptions(options.Hull);
+  this->Culler->SetOptions(options.Culler);
+  this->Mapper->SetOptions(options.Texture);
+  this->Mapper->SetUseDepthMaps(options.UseDepthMaps);
+  this->Refiner->SetOptions(options.DepthMaps);
 }
 
 void SynthesisStages::ConnectViews(vtkAlgorithmOutput* silhouettes, bool useDepthMaps)
@@ -87,29 +84,6 @@ void SynthesisStages::ConnectViews(vtkAlgorithmOutput* silhouettes, bool useDept
     filter->SetInputConnection(
       1, useDepthMaps ? this->DepthEstimator->GetOutputPort() : silhouettes);
   }
-}
-
-void SynthesisStages::SetHullOptions(const SynthesisOptions& options)
-{
-  this->HullSource->SetSampleSpacing(options.HullSpacingPx);
-  this->HullSource->SetKeepAllComponents(options.HullKeepAll);
-  if (options.HullBox)
-  {
-    const auto& b = *options.HullBox;
-    this->HullSource->SetSearchBounds(b[0], b[3], b[1], b[4], b[2], b[5]);
-  }
-}
-
-void SynthesisStages::SetMapperOptions(const SynthesisOptions& options)
-{
-  this->Mapper->SetUseDepthMaps(options.UseDepthMaps);
-  this->Mapper->SetUseExposureGains(options.ExposureGains);
-  this->Mapper->SetFeatherWidth(options.FeatherPx);
-  this->Mapper->SetOcclusionSoftness(options.OcclusionSoftness);
-  this->Mapper->SetBoundarySamples(options.BoundarySamples);
-  this->Mapper->SetSoftBoundary(options.SoftBoundary);
-  this->Mapper->SetReferences(options.References);
-  this->Mapper->SetPower(options.Power);
 }
 
 void SynthesisStages::SetCamera(const Camera& camera)

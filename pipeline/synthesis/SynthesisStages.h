@@ -24,9 +24,9 @@ class vtkAlgorithmOutput;
 namespace novelview
 {
 /**
- * The filters of the method, set and connected as the options say; none has run. The texture mapper
- * lacks its mesh (port 0), and the occluders of port 2: which mesh is textured is the caller's
- * choice.
+ * The filters of the method, set and connected as the options state; none has run. The texture
+ * mapper lacks its mesh (port 0), and the occluders of port 2: which mesh is textured is the
+ * caller's choice.
  */
 struct SynthesisStages
 {
@@ -50,8 +50,6 @@ struct SynthesisStages
 
 private:
   void ConnectViews(vtkAlgorithmOutput* silhouettes, bool useDepthMaps);
-  void SetHullOptions(const SynthesisOptions& options);
-  void SetMapperOptions(const SynthesisOptions& options);
 };
 }
 

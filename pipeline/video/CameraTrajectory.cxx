@@ -22,7 +22,7 @@ using Eigen::Vector3d;
 
 constexpr int UsualFrames = 72;
 
-/** A photograph's camera with its picture's size. */
+/** A photograph's camera with its image's size. */
 Camera CameraOf(const std::string& nameOrNumber, const DatasetIndex& dataset)
 {
   ViewSpec spec;
@@ -31,7 +31,7 @@ Camera CameraOf(const std::string& nameOrNumber, const DatasetIndex& dataset)
   return ResolveViewSpec(spec, dataset).Cam;
 }
 
-/** The numbers of an array, also of one of arrays; so many are expected. */
+/** The numbers of an array, also of an array of arrays; this many are expected. */
 std::vector<double> Numbers(const Json& value, std::size_t count, const std::string& where)
 {
   std::vector<double> numbers;
@@ -229,7 +229,7 @@ private:
     const bool looking = key.contains("position") || key.contains("lookAt") || key.contains("up");
     if (named + posed + looking != 1)
     {
-      throw UsageError(where, "says not where it is in one of the three ways",
+      throw UsageError(where, "does not state its position in one of the three ways",
         std::to_string(named + posed + looking) + " ways",
         "camera, or R and t, or position and lookAt");
     }
@@ -278,7 +278,7 @@ private:
     const double across = (target - position).normalized().cross(up.normalized()).norm();
     if (!(across > 1e-6))
     {
-      throw UsageError(where, "looks along its up, or nowhere");
+      throw UsageError(where, "has a view direction along its up vector, or none");
     }
     return LookAt(position, target, up, this->Usual.K, this->Usual.Width, this->Usual.Height);
   }
@@ -336,7 +336,7 @@ std::vector<Camera> CamerasOfFrames(const TrajectoryOptions& options, const Data
   catch (const Error& error)
   {
     throw UsageError(dataset.Calibration.string(),
-      std::string(error.what()) + "; --path says where the camera shall go");
+      std::string(error.what()) + "; use --path to define the path of the camera");
   }
   const int count = options.Frames > 0 ? options.Frames : UsualFrames;
   std::vector<Camera> frames;

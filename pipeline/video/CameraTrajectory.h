@@ -15,16 +15,16 @@ namespace novelview
 struct TrajectoryOptions
 {
   std::filesystem::path Path; ///< file of key cameras; empty = round the cameras' ring
-  int Frames = 0;             ///< 0 = what the path says, else 72
+  int Frames = 0;             ///< 0 = as stated by the path, else 72
   double Fps = 24;            ///< frames per second
 };
 
 /**
- * The cameras of the frames of a film, as `novelview orbit` makes them.
+ * The cameras of the frames of a video, as `novelview orbit` makes them.
  *
  * Without options.Path: once round the ring that the data set's cameras are on (FitCameraRing), but
- * for photographs in `exclude`, from the first camera towards the second, without coming back to the first frame. Cameras on no
- * ring are a UsageError that names --path.
+ * for photographs in `exclude`, from the first camera towards the second, without coming back to
+ * the first frame. Cameras that are not on a ring are a UsageError that names --path.
  *
  * With options.Path: a JSON file, in the project's convention (Camera.h), with
  *
@@ -36,7 +36,7 @@ struct TrajectoryOptions
  *               camera, or of the data set's first
  *               and "frame" (whole number) or "time" (seconds): all keys the same of the two, or
  *               none: then they are evenly spread
- *     "closed"  true: the film goes back to the first key and can be played round and round
+ *     "closed"  true: the video returns to the first key and can be played in a loop
  *     "size"    "640x480"; that of the data set's first photograph when not given
  *
  * The number of frames is options.Frames; when that is 0, what the keys' frames or times (at

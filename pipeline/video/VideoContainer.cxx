@@ -90,7 +90,7 @@ bool IsWholeIsoMedia(Bytes& bytes)
   return hasIndex;
 }
 
-/** Elements: a name, and a size whose leading zeros tell its length. */
+/** Elements: a name, and a size whose leading zeros give its length. */
 bool IsWholeMatroska(Bytes& bytes)
 {
   std::uint64_t at = 0;

@@ -9,8 +9,8 @@ namespace novelview
 {
 /**
  * Whether a video file is as long as the sizes in its own container say: AVI (RIFF), MP4 and MOV
- * (ISO base media), MKV (EBML). Encoders do not tell when a disk was full, and what they leave may
- * still be played. False also for a file that is none of these.
+ * (ISO base media), MKV (EBML). Encoders do not report a full disk, and the file that they leave
+ * may still be played. False also for a file that is none of these.
  */
 bool IsWholeVideo(const std::filesystem::path& file);
 }

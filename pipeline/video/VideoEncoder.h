@@ -10,8 +10,8 @@ namespace novelview
 {
 /**
  * What VideoFile needs of OpenCV's videoio. That takes some hundred libraries with it, as long to
- * load as all others together; so it is in a library of its own, NovelViewVideo, which VideoFile
- * loads for the first film.
+ * load as all others together; so it is in a separate library, NovelViewVideo, which VideoFile
+ * loads for the first video.
  */
 class VideoEncoder
 {
@@ -25,7 +25,7 @@ public:
   /** BGR, of the size given. */
   virtual void Write(const cv::Mat& picture) = 0;
 
-  /** Ends the file and says how many pictures can be read back from it. */
+  /** Ends the file and returns how many frames can be read back from it. */
   virtual long Close() = 0;
 };
 }

@@ -33,8 +33,8 @@ const std::map<std::string, std::vector<std::string>>& CodecsByExtension()
 }
 
 /**
- * New memory is zero while it lives. The encoders' pictures have rows up to a multiple of sixteen;
- * nobody fills those past the film's height, and they would show in the file.
+ * New memory is zero while it lives. The encoders' images have rows up to a multiple of sixteen;
+ * those past the video's height are not filled, and they would appear in the file.
  */
 class ZeroedMemory
 {
@@ -45,7 +45,7 @@ public:
   ZeroedMemory& operator=(const ZeroedMemory&) = delete;
 
 private:
-  /** New memory holds the complement of this; 0 leaves it as it comes. */
+  /** New memory contains the complement of this; 0 leaves it unset. */
   static void FillWith([[maybe_unused]] int complement)
   {
 #ifdef M_PERTURB
@@ -55,8 +55,8 @@ private:
 };
 
 /**
- * While one of these lives the thread, and those it starts, keep to one processor. An encoder asks
- * how many there are when it is opened, and writes another file with every number.
+ * While an object of this class exists, the thread and those it starts use one processor. An
+ * encoder asks how many there are when it is opened, and writes another file with every number.
  */
 class OneProcessor
 {
@@ -105,7 +105,7 @@ EncoderFactory LoadEncoderFactory()
   {
     const char* const reason = ::dlerror();
     throw Error(name, "the library that writes videos cannot be loaded",
-      reason ? reason : "no reason told",
+      reason ? reason : "no reason given",
       "it and OpenCV's videoio, or a folder for single pictures");
   }
   return reinterpret_cast<EncoderFactory>(factory);

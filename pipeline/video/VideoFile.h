@@ -21,9 +21,9 @@ bool IsVideoName(const std::filesystem::path& path);
 std::string VideoExtensions();
 
 /**
- * A video that is being written, through OpenCV. Pictures of odd size get a black row or column,
- * since most codecs want even ones. The same pictures give the same file, however many processors
- * there are; but for an .mkv, which has an identity drawn at random in it.
+ * A video that is being written, through OpenCV. Images of odd size get a black row or column,
+ * since most codecs want even ones. The same images give the same file, however many processors
+ * there are, except for .mkv files, which contain a random identity.
  */
 class VideoFile
 {

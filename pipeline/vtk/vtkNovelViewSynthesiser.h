@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class vtkNovelViewSynthesiser
- * @brief The picture that a camera would take of the object: all stages in one filter.
+ * @brief The image that a camera would take of the object: all stages in one filter.
  *
  * Runs the chain of `novelview run` (Synthesis.h): silhouettes, visual hull, power crust, depth
  * maps, culling, outline, non-outline, texture. What does not depend on the novel camera is made at
@@ -15,8 +15,8 @@
  *    units, 0 = none), `CellId` (int, -1 = none), `Seen` (uint8, 0 = filled from the surroundings).
  *  - out 1: vtkPolyData, the mesh as refined for this camera, invisible triangles left out.
  *
- * ProgressEvent tells the progress of one stage after another, each from 0 to 1; GetProgressText
- * says which. What a user should know of the data is a WarningEvent each.
+ * ProgressEvent reports the progress of one stage after another, each from 0 to 1; GetProgressText
+ * names the stage. Each warning about the data is a WarningEvent.
  *
  * Errors: no camera or one that is none, views without what is needed, an object that covers no
  * pixel, and those of the stages, with the stage's name.
@@ -77,7 +77,8 @@ public:
    * The options by the names of job files, as a JSON object: `{"references": 3, "depthMaps": false}`.
    * Those not named stay as they are; "preset" comes first. An unknown name, a wrong type or a value
    * out of range is an error (ErrorEvent) that changes nothing; then false is returned. A name of an
-   * earlier version is a WarningEvent that says the present one. The getter gives all of them with their values.
+   * earlier version is a WarningEvent that states the present one. The getter gives all of them
+   * with their values.
    */
   bool SetOptions(const char* json);
   std::string GetOptions();

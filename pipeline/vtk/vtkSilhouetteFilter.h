@@ -32,7 +32,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Compute both arrays anew although they are there. Default off. */
+  /** Compute both arrays even if they exist. Default off. */
   vtkSetMacro(Force, bool);
   vtkGetMacro(Force, bool);
   vtkBooleanMacro(Force, bool);

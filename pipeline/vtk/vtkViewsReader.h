@@ -4,7 +4,7 @@
  * @brief Reads a data set: calibrated photographs and their silhouettes.
  *
  * Reads what the program reads: a folder with photographs, their calibration and, perhaps, masks.
- * Silhouettes that there is no mask for are taken from the photographs, whose background must then
+ * Silhouettes that there is no mask for are extracted from the photographs, whose background must then
  * be plain.
  *
  * Ports:
@@ -68,9 +68,9 @@ public:
   ///@}
 
   /**
-   * Sets `camera` to the one that a text says, as after the program's `--view`: `between:A,B[,F]`,
-   * `like:IMAGE` or `file:PAR.txt#NAME`. Photographs are not read, and none is left out. On an error
-   * (ErrorEvent) the camera is left alone and false returned.
+   * Sets `camera` to the one that a text describes, as after the program's `--view`:
+   * `between:A,B[,F]`, `like:IMAGE` or `file:PAR.txt#NAME`. Photographs are not read, and none is
+   * left out. On an error (ErrorEvent) the camera is left alone and false returned.
    */
   bool ReadCamera(const char* view, vtkPinholeCamera* camera);
 

@@ -178,7 +178,7 @@ TEST_F(BadInput, TruncatedMask)
 
 TEST_F(BadInput, PhotographThatIsNone)
 {
-  WriteText(this->Data / "bunny0002.png", "this is no picture\n");
+  WriteText(this->Data / "bunny0002.png", "this is not a picture\n");
   this->ExpectFailure(1, { "bunny0002.png", "cannot be read" });
 }
 
@@ -263,7 +263,7 @@ TEST_F(BadInput, AViewsCameraIsCheckedLikeThePhotographs)
 TEST_F(BadInput, WordsOfTenMegabytesAreNotSaidBack)
 {
   WriteText(this->Data / "bunny_par.txt", std::string(10000000, 'a'));
-  this->ExpectFailure(1, { "bunny_par.txt, line 1", "no count of photographs", "aaa..." });
+  this->ExpectFailure(1, { "bunny_par.txt, line 1", "not a count of photographs", "aaa..." });
   this->ExpectFailure(2, { "unknown option --xxx", "..." }, { "--" + std::string(100000, 'x') });
   this->ExpectFailure(2, { "unknown option --\\x1B[31m" }, { "--\x1B[31m" });
 }
@@ -302,7 +302,7 @@ TEST_F(BadInput, AFolderThatJobJsonCannotNameIsRefusedBeforeTheWork)
 {
   const fs::path folder = this->Folder / "caf\xE9";
   fs::rename(this->Data, folder);
-  this->ExpectFailure(1, { "dataset", "is no UTF-8", "caf\\xE9" }, {}, folder.string());
+  this->ExpectFailure(1, { "dataset", "is not UTF-8", "caf\\xE9" }, {}, folder.string());
 }
 
 TEST_F(BadInput, PhotographsWithNamesThatAreNoUtf8AreNoHindrance)
@@ -354,7 +354,7 @@ TEST_F(BadInput, VirtualCameraLookingAway)
 {
   const Eigen::Vector3d centre = this->Centre();
   this->ExpectFailure(
-    1, { "novel camera", "looks away" }, this->ViewFrom(centre, 2 * centre - this->Target()));
+    1, { "novel camera", "faces away" }, this->ViewFrom(centre, 2 * centre - this->Target()));
 }
 
 TEST_F(BadInput, VirtualCameraTooFarAwayGivesNoBlankPicture)
@@ -397,7 +397,7 @@ TEST_F(BadInput, UnknownJobKeyIsNamedWithTheOneThatWasMeant)
   this->ExpectFailure(
     2, { "job.json", "\"hullSpaccing\"", "did you mean \"hullSpacing\"?" }, {}, job.string());
   WriteText(job, R"({ "dataset": ".",)");
-  this->ExpectFailure(2, { "job.json", "is no JSON" }, {}, job.string());
+  this->ExpectFailure(2, { "job.json", "is not JSON" }, {}, job.string());
 }
 
 TEST_F(BadInput, RenderSaysWhatIsWrongToo)
@@ -407,7 +407,7 @@ TEST_F(BadInput, RenderSaysWhatIsWrongToo)
   const ProcessEnd end = RunProgram({ "render", this->Data.string(), "--quiet", "--stage", "hull",
     "--cameras", (this->Folder / "view.txt").string(), "--out", this->Out.string() });
   EXPECT_EQ(end.Code, 1);
-  EXPECT_THAT(end.Err, HasSubstr("looks away"));
+  EXPECT_THAT(end.Err, HasSubstr("faces away"));
   EXPECT_EQ(std::count(end.Err.begin(), end.Err.end(), '\n'), 1) << end.Err;
   EXPECT_THAT(FilesBelow(this->Out), testing::IsEmpty());
 }

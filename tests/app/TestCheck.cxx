@@ -75,12 +75,13 @@ TEST_F(CheckProgram, BadUseIsOneLineWithAnExitCode)
   };
   expect({ "check" }, 2, "dataset is required");
   expect({ "check", In("nowhere").string() }, 1, "no such folder");
-  expect({ "check", Data(), "--poses", "camera" }, 2, "--poses: is no such choice");
+  expect({ "check", Data(), "--poses", "camera" }, 2, "--poses: is not a valid choice");
   expect({ "mask", Data() }, 2, "--out: no folder for the masks given");
   expect(
     { "mask", Data(), "--out", "o", "--in-place" }, 2, "--in-place: cannot be given with --out");
   expect({ "mask", Data(), "--in-place" }, 2, "there is a mask already");
-  expect({ "mask", Data(), "--out", "o", "--method", "magic" }, 2, "--method: is no such choice");
+  expect(
+    { "mask", Data(), "--out", "o", "--method", "magic" }, 2, "--method: is not a valid choice");
   expect(
     { "mask", Data(), "--out", "o", "--key", "1,2,3" }, 2, "of no use without --method chroma");
   expect({ "mask", Data(), "--out", "o", "--method", "grabcut", "--box", "1,2" }, 2,

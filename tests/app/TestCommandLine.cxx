@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "CommandLine.h"
+#include "Threads.h"
 #include "base/Parallel.h"
 #include "base/UsageError.h"
 #include "commands/CheckOptions.h"
@@ -13,6 +14,7 @@
 #include "support/TestSupport.h"
 
 #include <cstdio>
+#include <map>
 #include <optional>
 #include <sys/wait.h>
 
@@ -130,11 +132,11 @@ TEST(CommandLine, RunIsGivenItsJob)
   ASSERT_TRUE(outcome.Ran);
   EXPECT_EQ(outcome.Ran->Input.Dataset, "bunny");
   EXPECT_EQ(outcome.Ran->View.Fraction, 0.25);
-  EXPECT_EQ(outcome.Ran->Synthesis.HullBox, (std::array<double, 6>{ -1, -2, -3, 1, 2, 3 }));
+  EXPECT_EQ(outcome.Ran->Synthesis.Hull.Box, (std::array<double, 6>{ -1, -2, -3, 1, 2, 3 }));
   EXPECT_EQ(outcome.Ran->Input.Exclude, (std::vector<std::string>{ "a.png", "b.png" }));
   EXPECT_FALSE(outcome.Ran->WriteIterations);
   EXPECT_TRUE(outcome.Ran->Screenshots);
-  EXPECT_TRUE(outcome.Ran->Synthesis.HullKeepAll);
+  EXPECT_TRUE(outcome.Ran->Synthesis.Hull.KeepAllComponents);
   EXPECT_EQ(outcome.Ran->Input.Silhouette.Level, 30);
   EXPECT_EQ(outcome.Ran->Threads, 1);
 }
@@ -169,7 +171,8 @@ TEST(CommandLine, EvaluateIsGivenItsOptions)
   EXPECT_FALSE(outcome.Evaluated->LeaveOneOut);
   EXPECT_FALSE(outcome.Evaluated->Pictures);
   EXPECT_EQ(outcome.Evaluated->TrueMesh, "t.ply");
-  EXPECT_EQ(outcome.Evaluated->Synthesis.References, PresetOptions("paper").References);
+  EXPECT_EQ(
+    outcome.Evaluated->Synthesis.Texture.References, PresetOptions("paper").Texture.References);
   EXPECT_TRUE(outcome.Evaluated->Synthesis.UseDepthMaps);
 }
 
@@ -183,15 +186,16 @@ TEST(CommandLine, OrbitStartsFromAFilmsDefaults)
   EXPECT_EQ(outcome.Filmed->Frames, 30);
   EXPECT_EQ(outcome.Filmed->Fps, 25);
   EXPECT_EQ(outcome.Filmed->FramesDir, "pictures");
-  EXPECT_EQ(outcome.Filmed->Synthesis.Power, PresetOptions("paper").Power);
-  EXPECT_TRUE(outcome.Filmed->Synthesis.SoftBoundary);
-  EXPECT_EQ(outcome.Filmed->Synthesis.BoundarySamples, 5);
+  EXPECT_EQ(outcome.Filmed->Synthesis.Texture.Power, PresetOptions("paper").Texture.Power);
+  EXPECT_TRUE(outcome.Filmed->Synthesis.Texture.SoftBoundary);
+  EXPECT_EQ(outcome.Filmed->Synthesis.Texture.BoundarySamples, 5);
   const Outcome told =
     Parse({ "orbit", "bunny", "--out", "film", "--no-soft-boundary", "--boundary-samples", "1" });
   ASSERT_TRUE(told.Filmed) << told.Err;
-  EXPECT_FALSE(told.Filmed->Synthesis.SoftBoundary);
-  EXPECT_EQ(told.Filmed->Synthesis.BoundarySamples, 1);
-  EXPECT_FALSE(PresetOptions("best").SoftBoundary); // a single view's picture stays as it is
+  EXPECT_FALSE(told.Filmed->Synthesis.Texture.SoftBoundary);
+  EXPECT_EQ(told.Filmed->Synthesis.Texture.BoundarySamples, 1);
+  EXPECT_FALSE(
+    PresetOptions("best").Texture.SoftBoundary); // a single view's picture stays as it is
 }
 
 TEST(CommandLine, FormerNamesOfOptionsWorkWithAWarningEach)
@@ -200,8 +204,8 @@ TEST(CommandLine, FormerNamesOfOptionsWorkWithAWarningEach)
     Parse({ "orbit", "bunny", "--out", "film", "--no-soft-rim", "--rim-samples", "7", "--quiet" });
   ASSERT_TRUE(outcome.Filmed) << outcome.Err;
   EXPECT_EQ(outcome.Code, 0);
-  EXPECT_FALSE(outcome.Filmed->Synthesis.SoftBoundary);
-  EXPECT_EQ(outcome.Filmed->Synthesis.BoundarySamples, 7);
+  EXPECT_FALSE(outcome.Filmed->Synthesis.Texture.SoftBoundary);
+  EXPECT_EQ(outcome.Filmed->Synthesis.Texture.BoundarySamples, 7);
   EXPECT_THAT(outcome.Err, HasSubstr("warning: --rim-samples is now --boundary-samples\n"));
   EXPECT_THAT(outcome.Err, HasSubstr("warning: --soft-rim is now --soft-boundary\n"));
   EXPECT_EQ(std::count(outcome.Err.begin(), outcome.Err.end(), '\n'), 2) << outcome.Err;
@@ -211,7 +215,7 @@ TEST(CommandLine, FormerNamesOfOptionsWorkWithAWarningEach)
     "--rim-samples: is now --boundary-samples, which is given, too");
   const Outcome bad = Parse({ "orbit", "d", "--out", "o", "--rim-samples", "x" });
   EXPECT_EQ(bad.Code, 2);
-  EXPECT_THAT(bad.Err, HasSubstr("error: --boundary-samples: is no whole number (got 'x'"));
+  EXPECT_THAT(bad.Err, HasSubstr("error: --boundary-samples: is not a whole number (got 'x'"));
   EXPECT_EQ(std::count(bad.Err.begin(), bad.Err.end(), '\n'), 2) << "a warning before the error";
   ExpectUsageError({ "orbit", "d", "--out", "o", "--rim-sample", "3" }, "unknown option");
 }
@@ -223,7 +227,7 @@ TEST(CommandLine, FormerKeysInAJobFileWorkWithAWarning)
   WriteText(job, R"({"dataset": "d", "view": "like:a", "out": "o", "rimSamples": 7})");
   const Outcome outcome = Parse({ "run", job.c_str() });
   ASSERT_TRUE(outcome.Ran) << outcome.Err;
-  EXPECT_EQ(outcome.Ran->Synthesis.BoundarySamples, 7);
+  EXPECT_EQ(outcome.Ran->Synthesis.Texture.BoundarySamples, 7);
   EXPECT_THAT(outcome.Err, HasSubstr("job.json, key \"rimSamples\" is now \"boundarySamples\"\n"));
   EXPECT_EQ(std::count(outcome.Err.begin(), outcome.Err.end(), '\n'), 1) << outcome.Err;
   WriteText(job,
@@ -281,13 +285,14 @@ TEST(CommandLine, BadUsageIsOneLineAndExitCodeTwo)
   ExpectUsageError({ "run", "bunny", "--view", "like:a", "--out", "o", "--hull-spaccing", "2" },
     "unknown option --hull-spaccing, did you mean --hull-spacing?");
   ExpectUsageError({ "run", "bunny", "--view", "like:a", "--out", "o", "--hull-spacing", "x" },
-    "--hull-spacing: is no number (got 'x'");
-  ExpectUsageError({ "run", "bunny", "--view", "beside:a", "--out", "o" }, "view: is no view");
+    "--hull-spacing: is not a number (got 'x'");
+  ExpectUsageError({ "run", "bunny", "--view", "beside:a", "--out", "o" }, "view: is not a view");
   ExpectUsageError({ "run", "bunny", "--quiet", "--verbose" }, "excludes");
   ExpectUsageError({ "evaluate", "bunny" }, "--out: no place for the results");
   ExpectUsageError({ "evaluate", "bunny", "--out", "o", "--every", "2", "--hold-out", "a.png" },
     "--every: cannot be given with --hold-out");
-  ExpectUsageError({ "generate", "--out", "o", "--size", "640" }, "--size: is no size (got '640'");
+  ExpectUsageError(
+    { "generate", "--out", "o", "--size", "640" }, "--size: is not a size (got '640'");
   ExpectUsageError({ "generate", "--out", "o", "--texture", "wod" }, "wood, marble");
   ExpectUsageError({ "generate", "--views", "3" }, "--out");
 }
@@ -346,6 +351,56 @@ std::string FactsOf(const Option& option)
   }
   return facts;
 }
+}
+
+TEST(CommandLine, ThreadsOfEveryCommandLimitTheThreadsOfTheProcess)
+{
+  // The commands of the program itself, which fail once they work: the data set does not exist.
+  const TemporaryFolder folder;
+  const std::string missing = (folder / "missing").string();
+  const std::string out = (folder / "out").string();
+  const std::string cameras = (folder / "cameras_par.txt").string();
+  ProcessGroup alone;
+  ProcessContext processes;
+  processes.Start = [&alone](int) -> ProcessGroup& { return alone; };
+  const std::map<std::string, std::vector<std::string>> required{
+    { "run", { "--view", "between:0,1", "--out", out } },
+    { "render", { "--cameras", cameras, "--out", out } },
+    { "orbit", { "--out", out } },
+    { "mesh", { "--out", out + ".ply" } },
+    { "evaluate", { "--leave-one-out", "--out", out } },
+    { "convert", { out, "--format", "nerf" } },
+    { "mask", { "--out", out } },
+  };
+  for (const Command& command : CommandTable())
+  {
+    if (command.DatasetHelp.empty())
+    {
+      continue; // generate would not fail
+    }
+    SCOPED_TRACE(command.Name);
+    std::vector<std::string> words{ "novelview", command.Name, missing };
+    if (const auto found = required.find(command.Name); found != required.end())
+    {
+      words.insert(words.end(), found->second.begin(), found->second.end());
+    }
+    words.insert(words.end(), { "--threads", "1" });
+    std::vector<const char*> argv;
+    for (const std::string& word : words)
+    {
+      argv.push_back(word.c_str());
+    }
+    LimitThreads(2);
+    testing::internal::CaptureStdout();
+    testing::internal::CaptureStderr();
+    EXPECT_NE(RunCommandLine(static_cast<int>(argv.size()), argv.data(), CommandTable(), processes),
+      ExitCode::Usage);
+    testing::internal::GetCapturedStdout();
+    const std::string error = testing::internal::GetCapturedStderr();
+    EXPECT_THAT(error, HasSubstr("missing"));
+    EXPECT_EQ(NumberOfThreads(), 1) << error;
+  }
+  LimitThreads(0);
 }
 
 TEST(CommandLine, HelpOfEveryCommandTellsEveryOptionWithUnitRangeAndDefault)

@@ -40,7 +40,7 @@ protected:
   static inline std::unique_ptr<GeneratedData> Bunny;
 };
 
-/** Expects two novel views to be the same but for rounding in the cameras. */
+/** Expects two novel views to be equal up to rounding in the cameras. */
 void ExpectSameView(const fs::path& a, const fs::path& b)
 {
   const Image<std::uint8_t> pictureA = ReadColorFile(a / "novel.png");
@@ -106,9 +106,11 @@ TEST_F(ConvertProgram, BadUseIsOneLineWithAnExitCode)
   const std::string out = In("bad").string();
   expect({ Data() }, 2, "out is required");
   expect({ Data(), out }, 2, "--format: no format to write given");
-  expect({ Data(), out, "--format", "agisoft" }, 2, "--format: is no such choice (got 'agisoft'");
+  expect(
+    { Data(), out, "--format", "agisoft" }, 2, "--format: is not a valid choice (got 'agisoft'");
   expect({ Data(), Data(), "--format", "nerf" }, 2, "is the folder to read");
   expect({ Data(), out, "--format", "nerf", "--from", "colmap" }, 1, "no calibration file");
-  expect({ Data(), out, "--format", "nerf", "--poses", "camera" }, 2, "--poses: is no such choice");
+  expect(
+    { Data(), out, "--format", "nerf", "--poses", "camera" }, 2, "--poses: is not a valid choice");
   EXPECT_FALSE(fs::exists(out));
 }

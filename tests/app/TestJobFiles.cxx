@@ -23,7 +23,7 @@ TEST(JobFiles, AreAllRead)
     SCOPED_TRACE(entry.path());
     const RunOptions job = MakeRunOptions(entry.path(), {});
     EXPECT_NE(job.View.What, ViewSpec::Kind::None);
-    // They are told from their own folder: nothing is written outside the project's out/.
+    // They are distinguished from their own folder: nothing is written outside the project's out/.
     EXPECT_EQ(job.Out.parent_path(), Project / "out");
     EXPECT_TRUE(job.Input.Dataset.is_absolute());
     ++count;

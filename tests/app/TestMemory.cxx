@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Too little memory is one line of error, whoever runs out of it.
+// Too little memory is one line of error, wherever it runs out.
 #include "support/ProgramRun.h"
 
 using namespace novelview;
@@ -36,7 +36,7 @@ protected:
   }
   static void TearDownTestSuite() { Bunny.reset(); }
 
-  /** Expects success or one line of error with all limits up to so many MiB above the least. */
+  /** Expects success or one line of error with all limits up to this many MiB above the least. */
   static void ExpectOneLine(int range, int step, const std::vector<std::string>& words)
   {
     int failed = 0;
@@ -71,7 +71,7 @@ TEST_F(Memory, OomHangIsOneLineOfError)
 
 TEST_F(Memory, OfVideosIsOneLineOfErrorToo)
 {
-  // Libraries are silenced while they encode; the error must be heard all the same.
+  // Libraries are silenced while they encode; the error must be printed nevertheless.
   ExpectOneLine(180, 15,
     { "orbit", Bunny->Data().string(), "--frames", "3", "--quiet", "--stage", "hull", "--out",
       (Bunny->Folder / "film.mp4").string() });

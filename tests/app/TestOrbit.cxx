@@ -11,7 +11,7 @@ using testing::HasSubstr;
 
 namespace
 {
-/** A small bunny; the held-out views are the frames of a slow film. */
+/** A small bunny; the held-out views are the frames of a slow video. */
 class Orbit : public testing::Test
 {
 protected:
@@ -55,7 +55,7 @@ TEST_F(Orbit, FilmsOnceRoundTheCamerasRing)
     EXPECT_LT((cameras[i].Cam.R - photographs[2 * i].Cam.R).cwiseAbs().maxCoeff(), 1e-9) << i;
   }
   EXPECT_TRUE(HalfWritten(Out("")).empty());
-  // A frame is what `render` gives with a film's options, and a folder gets the same frames.
+  // A frame is what `render` gives with a video's options, and a folder gets the same frames.
   MustRun(Words("render", "rendered",
     { "--cameras", (frames / "frames_par.txt").string(), "--stage", "hull", "--soft-boundary",
       "--boundary-samples", "5" }));
@@ -100,12 +100,12 @@ TEST_F(Orbit, IsSteadyFromFrameToFrame)
   RecordProperty("steadiness", slow.dump());
   const auto ratio = [&slow](const char* part)
   { return slow.at(part).at("film").get<double>() / slow.at(part).at("truth").get<double>(); };
-  // The measure itself: the truth, which is the same film twice but for its softer rim.
+  // The measure itself: the truth, which is the same video twice, except for its softer boundary.
   EXPECT_LT(measure(Bunny->Data() / "test").at("rms").get<double>(), 3);
   // Inside there is no more flicker than in the truth: no seams between photographs that jump.
   EXPECT_LT(ratio("inside"), 1.05) << slow;
-  // At the rim the contour, known to a fraction of a pixel, moves a little to and fro. With pixels
-  // of less than half coverage left black the ratio would be above 3.
+  // At the boundary the contour, known to a fraction of a pixel, moves a little to and fro. With
+  // pixels of less than half coverage left black the ratio would be above 3.
   EXPECT_LT(ratio("rim"), 2.2) << slow;
   // Of the silhouette's area it is hardly more than counting pixels gives with the truth.
   EXPECT_LT(ratio("area"), 2) << slow;
@@ -115,7 +115,7 @@ TEST_F(Orbit, IsSteadyFromFrameToFrame)
 TEST_F(Orbit, OnlyAFilmNeedsTheVideoLibraries)
 {
   fs::create_directories(Out("broken"));
-  // An empty file instead of OpenCV's videoio: whoever loads that fails.
+  // An empty file instead of OpenCV's videoio: loading it fails.
   WriteText(Out("broken") / NOVELVIEW_VIDEOIO, "");
   const auto run = [&](const std::string& out)
   {
@@ -147,8 +147,8 @@ TEST_F(Orbit, BadUsageLeavesNothing)
     EXPECT_EQ(std::count(end.Err.begin(), end.Err.end(), '\n'), 1) << end.Err;
     EXPECT_FALSE(fs::exists(Out(out)));
   };
-  expect("bad.gif", {}, "--out: is no video that can be written (got bad.gif, expected .avi");
+  expect("bad.gif", {}, "--out: is not a video that can be written (got bad.gif, expected .avi");
   expect("bad.mp4", { "--exclude", "bunny0000.png,bunny0001.png,bunny0002.png,bunny0003.png" },
-    "--path says where");
+    "use --path to define");
   expect("bad.mp4", { "--path", Out("nowhere.json").string() }, "no such file");
 }

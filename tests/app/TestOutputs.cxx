@@ -60,7 +60,7 @@ protected:
     EXPECT_TRUE(FilesBelow(this->Folder.Path) == before) << "a file has changed";
   }
 
-  /** Runs with files limited to so many blocks of 512 bytes, which fails as a full disk does. */
+  /** Runs with files limited to this many blocks of 512 bytes, which fails like a full disk. */
   static ProcessEnd RunLimited(int blocks, const std::vector<std::string>& words)
   {
     std::string command =

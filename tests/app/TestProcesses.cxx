@@ -34,7 +34,7 @@ protected:
     return With({ command, Bunny->Data().string(), "--out", Out(out).string() }, more);
   }
 
-  /** Runs the program in so many processes; `before` is what the shell of each does first. */
+  /** Runs the program in this many processes; `before` is what the shell of each does first. */
   static ProcessEnd RunIn(
     int processes, const std::vector<std::string>& words, const std::string& before = "")
   {
@@ -84,7 +84,7 @@ TEST_F(Processes, RenderTheSameFiles)
       Words("render", out, { "--cameras", Cameras(), "--timings", Out(out + ".json").string() }));
     ASSERT_EQ(end.Code, 0) << end.Err;
     ExpectSameFiles(Out("one"), Out(out));
-    // The first process tells of every view once, in order, and of the others' work as of its own.
+    // The first process reports every view once, in order, including the work of the others.
     EXPECT_EQ(LinesWith(end.Out, "/test000"), 5) << end.Out;
     EXPECT_LT(end.Out.find("/test0003.png"), end.Out.find("/test0004.png"));
     EXPECT_EQ(LinesWith(end.Out, "culling done"), 5) << end.Out;
@@ -193,7 +193,7 @@ TEST_F(Processes, SlipsAreToldOnce)
   ExpectOneError(RunIn(2, Words("run", "bad", { "--view", "between:0,1" })), 2,
     "run: cannot be shared between processes (got 2 processes");
   ExpectOneError(RunIn(2, Words("render", "bad", {})), 2, "--cameras");
-  ExpectOneError(RunIn(2, Words("orbit", "bad.gif", {})), 2, "is no video");
+  ExpectOneError(RunIn(2, Words("orbit", "bad.gif", {})), 2, "is not a video");
   ExpectOneError(
     RunIn(2, { "orbit", Out("nowhere").string(), "--out", Out("bad").string() }), 1, "nowhere");
   const ProcessEnd help = RunIn(2, { "--version" });

@@ -11,7 +11,7 @@ using testing::HasSubstr;
 
 namespace
 {
-/** What a photograph may be called, though nobody would: the page must show it and not run it. */
+/** A hostile but valid name of a photograph: the page must show it and not run it. */
 const char* const HostileName = "a\"onload=\"window.injected=1\"<b>&.png";
 
 /** A small bunny whose data set has such a photograph, and one run on it. */
@@ -124,7 +124,7 @@ TEST_F(Report, MeshFileOfNoKindIsAnErrorBeforeAnyWork)
   const fs::path file = Bunny->Folder / "mesh.fbx";
   const ProcessEnd end = RunProgram({ "mesh", Bunny->Data().string(), "--out", file.string() });
   EXPECT_EQ(end.Code, 2);
-  EXPECT_THAT(end.Err, HasSubstr("--out: is no file for a mesh"));
+  EXPECT_THAT(end.Err, HasSubstr("--out: is not a mesh file"));
   EXPECT_THAT(end.Err, HasSubstr(".glb, .obj, .ply, .vtp or .stl"));
   EXPECT_EQ(end.Out, "");
 }

@@ -115,7 +115,7 @@ const OrientedPoints& HullSamples(int count)
   if (fresh)
   {
     // A surface has samples as the inverse square of their spacing.
-    const double spacingPx = SynthesisOptions().HullSpacingPx;
+    const double spacingPx = SynthesisOptions().Hull.SpacingPx;
     const double there = HullAt(spacingPx).Samples.Points.size();
     samples->second = HullAt(spacingPx * std::sqrt(there / count)).Samples;
   }

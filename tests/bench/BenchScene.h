@@ -37,7 +37,7 @@ Camera NovelCamera(const PhotoSet& set);
  */
 SynthesisStages& Stages(const PhotoSet& set, const std::string& preset);
 
-/** About so many samples of the visual hull of twelve photographs of 640x480, with normals. */
+/** About this many samples of the visual hull of twelve photographs of 640x480, with normals. */
 const OrientedPoints& HullSamples(int count);
 
 /** The power crust of those photographs at the default spacing. */

@@ -11,7 +11,7 @@ namespace novelview::bench
 void RegisterStages();
 void RegisterKernels();
 
-/** Runs the body of a benchmark; an exception is told as its error. */
+/** Runs the body of a benchmark; an exception is reported as its error. */
 template <class Body>
 void Guarded(benchmark::State& state, const Body& body)
 {

@@ -45,7 +45,7 @@ class Run:
 
     @property
     def rest(self):
-        """Start-up, end, and whatever is no stage."""
+        """Start-up, end, and whatever is not a stage."""
         return self.whole - sum(self.stages.values()) + self.overlap
 
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A job file or, when the first byte is odd, the camera path of a film. The rest is the file.
+// A job file or, when the first byte is odd, the camera path of a video. The rest is the file.
 #include "FuzzSupport.h"
 #include "commands/RunOptions.h"
 #include "video/CameraTrajectory.h"
@@ -42,7 +42,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       static const novelview::DatasetIndex dataset = ThreeCameras();
       novelview::TrajectoryOptions options;
       options.Path = file;
-      options.Frames = 5; // the file may ask for a film of any length
+      options.Frames = 5; // the file may ask for a video of any length
       novelview::CamerasOfFrames(options, dataset);
     });
   return 0;

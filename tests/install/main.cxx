@@ -22,5 +22,5 @@ int main()
   const auto all = sphere->GetOutput()->GetNumberOfCells();
   const auto visible = culler->GetOutput()->GetNumberOfCells();
   std::cout << visible << " of " << all << " triangles are visible\n";
-  return visible > 0 && visible < all ? 0 : 1; // less than half a sphere, and a rim
+  return visible > 0 && visible < all ? 0 : 1; // less than half of the sphere, with its boundary
 }

@@ -140,7 +140,7 @@ class Cameras(unittest.TestCase):
     def test_wrong_shapes_are_named(self):
         with self.assertRaisesRegex(novelview.Error, r"camera: t has .*\(2,\), expected \(3,\)"):
             novelview.camera(numpy.eye(3), numpy.eye(3), (0, 0), (4, 4))
-        with self.assertRaisesRegex(novelview.Error, "camera: K is no array of numbers"):
+        with self.assertRaisesRegex(novelview.Error, "camera: K is not an array of numbers"):
             novelview.camera("K", numpy.eye(3), (0, 0, 0), (4, 4))
 
 

@@ -253,7 +253,10 @@ inline Photo Take(const Shape& shape, const Texture& texture, const novelview::C
   return photo;
 }
 
-/** Counts the mask's rim again with more rays, where four by four leave an eighth of a pixel open. */
+/**
+ * Counts the mask's boundary again with more rays, where four by four leave an eighth of a pixel
+ * open.
+ */
 inline void RefineRim(Photo& photo, const Shape& shape, int samples = 8)
 {
   for (int y = 0; y < photo.Cam.Height; ++y)

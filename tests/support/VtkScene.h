@@ -78,7 +78,7 @@ private:
 inline void ExpectUpdateError(vtkAlgorithm* filter, const std::string& text)
 {
   EventTexts errors(filter, vtkCommand::ErrorEvent);
-  // The executive adds a line of its own about the failed request; heard here, it is not printed.
+  // The executive adds another line about the failed request; observed here, it is not printed.
   EventTexts executiveErrors(filter->GetExecutive(), vtkCommand::ErrorEvent);
   filter->Update();
   ASSERT_EQ(errors.Texts.size(), 1u) << "expected one error with: " << text;

@@ -137,7 +137,8 @@ Setter Documented(const std::string& comment, bool isSwitch)
 Setters InHeaders()
 {
   Setters setters;
-  const std::regex macro(R"(vtkSet(?:Clamp)?Macro\(\s*(\w+),\s*(\w+))");
+  const std::regex macro(
+    R"(vtk(?:Set|SetClamp|FilterOption|(FilterSwitch))Macro\(\s*(\w+),\s*(\w+))");
   for (const auto& entry :
     std::filesystem::directory_iterator(std::filesystem::path(NOVELVIEW_SOURCE_DIR) / "vtkfilters"))
   {
@@ -150,11 +151,12 @@ Setters InHeaders()
     const std::string text{ std::istreambuf_iterator<char>(file), {} };
     for (std::sregex_iterator each(text.begin(), text.end(), macro), end; each != end; ++each)
     {
-      const std::string setter = (*each)[1];
+      const std::string setter = (*each)[2];
       if (setter != "OutputType") // of names
       {
-        setters[name + "::" + setter] = Documented(
-          CommentBefore(text, static_cast<std::size_t>(each->position())), (*each)[2] == "bool");
+        setters[name + "::" + setter] =
+          Documented(CommentBefore(text, static_cast<std::size_t>(each->position())),
+            (*each)[1].matched || (*each)[3] == "bool");
       }
     }
   }

@@ -159,11 +159,11 @@ TEST(VisibilityCuller, SaysWhatIsWrongWithTheCamera)
   const auto culler = CullerOf(mesh, OnRing(0));
   culler->SetCamera(nullptr);
   ExpectUpdateError(culler, "novel camera: none is set");
-  ExpectUpdateError(CullerOf(mesh, OnRing(0, 0, 0.2)), "novel camera: it stands inside the object");
+  ExpectUpdateError(CullerOf(mesh, OnRing(0, 0, 0.2)), "novel camera: it is inside the object");
   const Camera away =
     LookAt(Vector3d(0, 0, 4), Vector3d(0, 0, 9), Vector3d::UnitY(), SmallPictureK(), 160, 120);
-  ExpectUpdateError(
-    CullerOf(mesh, away), "novel camera: no part of the object is in its frame: it looks away");
+  ExpectUpdateError(CullerOf(mesh, away),
+    "novel camera: no part of the object is in its frame: it faces away from the object");
   Camera singular = OnRing(0);
   singular.K(1, 1) = 0;
   ExpectUpdateError(CullerOf(mesh, singular), "novel camera: camera matrix K is singular");

@@ -16,7 +16,7 @@ as all VTK classes have them. No display is needed, and no OpenGL is loaded; nov
 draws VTK's scenes without a display.
 
 What fails in the functions here raises novelview.Error with one line of text; what a user should
-know of the data is a Python warning. Filters used directly tell by ErrorEvent and WarningEvent.
+know of the data is a Python warning. Filters used directly report by ErrorEvent and WarningEvent.
 """
 
 try:

@@ -14,7 +14,7 @@ def numbers(value, shape, what):
     try:
         array = numpy.asarray(value, dtype=float)
     except (TypeError, ValueError) as error:
-        raise Error(f"{what} is no array of numbers") from error
+        raise Error(f"{what} is not an array of numbers") from error
     if array.size != numpy.prod(shape):
         raise Error(f"{what} has the wrong shape (got {array.shape}, expected {shape})")
     return array.reshape(shape)

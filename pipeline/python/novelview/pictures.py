@@ -16,7 +16,7 @@ def views(items):
 
     Each item is a dict with `image` (height x width x 3, uint8, RGB), `K`, `R`, `t` and, optionally,
     `mask` (height x width; above 127, or True, is object) and `name`; or the tuple
-    (image, mask, K, R, t). Without a mask (or with None) the silhouette is taken from the photograph,
+    (image, mask, K, R, t). Without a mask (or with None) the silhouette is extracted from the photograph,
     whose background must then be plain.
 
     A view's point arrays are Color, Mask and ContourDistance (px), its field arrays CameraMatrix,

@@ -40,7 +40,7 @@ def read(folder, calibration=None, exclude=(), force_silhouettes=False):
 
 
 def read_camera(folder, view, calibration=None):
-    """The camera that a text says, as after `novelview run --view`: "between:A,B[,F]", "like:IMAGE"
+    """The camera that a text describes, as after `novelview run --view`: "between:A,B[,F]", "like:IMAGE"
     or "file:PAR.txt#NAME". The photograph of "like:" is not left out: name it in read(exclude=..)."""
     result = vtkPinholeCamera()
     reader = _reader(folder, calibration)
@@ -77,7 +77,7 @@ class Synthesiser:
     """Novel views of one data set. What does not depend on the camera (hull, crust, depth maps) is
     made for the first view and kept for the others.
 
-    `views` is what read() or views() gave, or a list that views() takes. `stage` says how far the
+    `views` is what read() or views() gave, or a list that views() takes. `stage` is how far the
     geometry is refined: "hull", "outline" or "full". Further arguments are the program's options with
     underscores, references=3 for --references 3; they go over the preset, and options() lists them.
 

@@ -25,11 +25,11 @@ TEST(ErrorText, ShortPartsStayAsTheyAre)
 
 TEST(ErrorText, WordsOfTenMegabytesAreCutInTheMiddle)
 {
-  const std::string text = Error(
-    "folder/data_par.txt, line 1", "value 1 is no number", std::string(10000000, 'a'), "a number")
+  const std::string text = Error("folder/data_par.txt, line 1", "value 1 is not a number",
+    std::string(10000000, 'a'), "a number")
                              .what();
   EXPECT_EQ(text.size(), MaxInLine);
-  EXPECT_THAT(text, StartsWith("folder/data_par.txt, line 1: value 1 is no number (got aaa"));
+  EXPECT_THAT(text, StartsWith("folder/data_par.txt, line 1: value 1 is not a number (got aaa"));
   EXPECT_THAT(text, HasSubstr("..."));
   EXPECT_THAT(text, EndsWith("aaa, expected a number)"));
 }

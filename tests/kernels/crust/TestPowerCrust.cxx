@@ -25,7 +25,7 @@ PowerCrustResult Crust(
   return ComputePowerCrust(points, nullptr, options, Execution());
 }
 
-/** Expects a closed, outward, 2-manifold with so many pieces and handles. */
+/** Expects a closed, outward, 2-manifold with this many components and handles. */
 void ExpectSurface(const TriangleMesh& mesh, int components, int genus)
 {
   const MeshTopology topology = ExamineTopology(mesh);

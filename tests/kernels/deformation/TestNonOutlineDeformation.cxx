@@ -27,7 +27,7 @@ struct DentCase
 
   DentCase()
   {
-    // Points near the rim belong to the outline step.
+    // Points near the boundary belong to the outline step.
     for (std::size_t ptId = 0; ptId < Mesh.Points.size(); ++ptId)
     {
       Active[ptId] = Active[ptId] && Mesh.Points[ptId].dot(Novel.Centre()) > 0.3 * 0.5 * 4;

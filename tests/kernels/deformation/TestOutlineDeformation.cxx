@@ -202,7 +202,8 @@ TEST(OutlineDeformation, BringsAHullTwoPixelsTooLargeNearerToTheOutline)
   const auto after = DeformOutline(sphere.Mesh, sphere.Visible, sphere.Views, sphere.Novel);
   EXPECT_EQ(before.Iterations, 0);
   const double start = OffOutlinePx(before, sphere.Novel);
-  EXPECT_GT(start, 1.2); // two pixels at the equator, less at vertices that stand before the rim
+  EXPECT_GT(
+    start, 1.2); // two pixels at the equator, less at vertices that stand before the boundary
   // In pictures this small few windows tell a move of two pixels from none: points that have no
   // evidence stay on the hull, and those that move go the right way.
   EXPECT_LT(OffOutlinePx(after, sphere.Novel), 0.995 * start);

@@ -212,7 +212,7 @@ TEST(TsdfField, ThePriorDrawsTheSignedDistanceInwards)
 
 TEST(TsdfField, ARayParallelToAnAxisBesideAllMapsMeetsNothing)
 {
-  // Behind the wall, within the silhouettes: nobody sees the place, but no map reaches there.
+  // Behind the wall, within the silhouettes: no view sees the place, but no map reaches there.
   const FlatMap map(2.f, 0.5f);
   const std::vector<View> views{ map.AsView() };
   const TsdfField field(views, {}, Footprint);

@@ -165,7 +165,7 @@ TEST(Visibility, OfASphereTheFacingSideIsSeen)
   {
     const Vector3d normal = (mesh.Points[ptId] - Vector3d(0.1, 0.2, 0.3)).normalized();
     const double cosine = normal.dot((camera.Centre() - mesh.Points[ptId]).normalized());
-    // Near the rim the facets, 0.1 radians wide, decide instead of the sphere.
+    // Near the boundary the facets, 0.1 radians wide, decide instead of the sphere.
     if (std::abs(cosine) > 0.12)
     {
       EXPECT_EQ(visible[ptId], cosine > 0);

@@ -157,7 +157,7 @@ TEST(VisualHull, SamplesOfOneSurfaceKeepTheirDistance)
       }
     }
   }
-  // A sphere of so many spacings' radius, at one sample per 0.7 x 0.7 at the densest.
+  // A sphere whose radius is this many spacings, at one sample per 0.7 x 0.7 at the densest.
   const double area = 4 * 3.1416 * Radius * Radius / (hull.Spacing * hull.Spacing);
   EXPECT_LT(points.size(), area / 0.49);
   EXPECT_GT(points.size(), area / 2) << "and more than half of one per spacing squared stay";
@@ -173,8 +173,9 @@ TEST(VisualHull, BothSidesOfAThinSheetAreSampled)
   const double spacing = options.SpacingPx * MedianFootprint(ViewsOf(photos), Vector3d::Zero());
   ASSERT_LT(2 * half, 0.65 * spacing) << "the sheet is to be thinner than samples' distance";
   // With a plane of the lattice in the middle of the sheet, which else falls between two.
-  options.Box =
-    Eigen::AlignedBox3d(Vector3d::Constant(-10 * spacing), Vector3d::Constant(10 * spacing));
+  options.Box.emplace();
+  options.Box->fill(10 * spacing);
+  std::fill_n(options.Box->begin(), 3, -10 * spacing);
   const VisualHullResult hull = ComputeVisualHull(ViewsOf(photos), options);
   int front = 0;
   int back = 0;
@@ -260,7 +261,7 @@ TEST(VisualHull, AnEmptyMaskIsNamed)
   SetMask(photos[3], Image<std::uint8_t>(160, 120));
   ExpectError([&] { ComputeVisualHull(ViewsOf(photos)); }, "view p3: the mask is empty");
   VisualHullOptions options;
-  options.Box.emplace(Vector3d::Constant(-0.6), Vector3d::Constant(0.6));
+  options.Box = { -0.6, -0.6, -0.6, 0.6, 0.6, 0.6 };
   ExpectError([&] { ComputeVisualHull(ViewsOf(photos), options); },
     "view p3: its mask carves everything away");
 }
@@ -285,7 +286,7 @@ TEST(VisualHull, AMaskThatCarvesEverythingAwayIsNamed)
 TEST(VisualHull, ReachingTheGivenBoxIsAnError)
 {
   VisualHullOptions options;
-  options.Box.emplace(Vector3d(-1, -1, -1), Vector3d(1, 0.3, 1));
+  options.Box = { -1, -1, -1, 1, 0.3, 1 };
   ExpectError([&] { ComputeVisualHull(ViewsOf(SpherePhotos()), options); },
     "visual hull: it reaches the search box at max y = 0.3");
 }
@@ -299,7 +300,7 @@ TEST(VisualHull, EndsThoughTheOriginIsTooFarAwayToTellPointsApart)
     photo.Cam.T -= photo.Cam.R * Vector3d(0, 1e12, 0);
   }
   VisualHullOptions options;
-  options.Box.emplace(Vector3d(-1, 1e12 - 1, -1), Vector3d(1, 1e12 + 1, 1));
+  options.Box = { -1, 1e12 - 1, -1, 1, 1e12 + 1, 1 };
   try
   {
     ComputeVisualHull(ViewsOf(photos), options);

@@ -109,7 +109,8 @@ TEST(ContourDistance, OfASoftCircleIsSubPixel)
   const Deviation rim = Compare(distance, Circle, 0, 5);
   EXPECT_LT(rim.Max, 0.1);
   EXPECT_LT(rim.Rms, 0.02);
-  // Away from the rim the hand-me-down search may miss the nearest segment for a neighbour of it.
+  // Away from the boundary the hand-me-down search may miss the nearest segment for a neighbour of
+  // it.
   EXPECT_LT(Compare(distance, Circle, 5, 200).Max, 0.1);
 }
 

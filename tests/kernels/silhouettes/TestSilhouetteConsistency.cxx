@@ -10,7 +10,7 @@ using namespace support;
 
 namespace
 {
-/** Turns a camera about its own centre so that the picture moves by about so many pixels. */
+/** Turns a camera about its own centre so that the picture moves by about this many pixels. */
 void Turn(Photo& photo, double pixelsX, double pixelsY)
 {
   const double focal = photo.Cam.K(0, 0);

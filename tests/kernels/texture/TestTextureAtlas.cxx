@@ -116,7 +116,7 @@ TEST(TextureAtlas, ChartsDoNotOverlap)
     const auto [at, fresh] = owner.try_emplace(texel, cellId);
     if (!fresh)
     {
-      // At the rim many triangles of one chart fall into a texel: near in space, then.
+      // At the boundary many triangles of one chart fall into a texel: near in space, then.
       const double apart = (atlas.Mesh.Points[atlas.Mesh.Triangles[cellId][0]] -
         atlas.Mesh.Points[atlas.Mesh.Triangles[at->second][0]])
                              .norm();
@@ -179,7 +179,7 @@ TEST(TextureAtlas, HiddenPartsTakeNoColourFromWhatHidesThem)
   {
     mixed += ColourAt(atlas, cellId, Vector3d::Constant(1.0 / 3)).x() > 60;
   }
-  // Along the rim of the small ball's shadow an occlusion test to a pixel and a half may err.
+  // Along the boundary of the small ball's shadow an occlusion test to a pixel and a half may err.
   EXPECT_LT(mixed, 0.01 * static_cast<double>(cells));
 }
 

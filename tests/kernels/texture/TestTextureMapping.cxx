@@ -136,7 +136,7 @@ TEST(TextureMapping, APhotographFromTheNovelCameraItselfIsReproduced)
 
 TEST(TextureMapping, WeightsAreThePowerOfTheCosineBetweenRays)
 {
-  // Two plain photographs, 100 and 200 grey: the blend tells the weights.
+  // Two plain photographs, 100 and 200 grey: the blend shows the weights.
   std::vector<Photo> photos;
   photos.push_back(Take(Rectangle(0.6, 0.4), Plain(100, 100, 100), OnRing(-30), "a"));
   photos.push_back(Take(Rectangle(0.6, 0.4), Plain(200, 200, 200), OnRing(10), "b"));

@@ -100,8 +100,8 @@ TEST_F(InputFile, PipesAndDevicesAndFoldersAreNoInput)
 {
   const fs::path pipe = this->Folder / "pipe";
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
-  ExpectError([&] { ReadInputFile(pipe); }, "pipe", "is no regular file");
-  ExpectError([&] { ReadInputStart(pipe, 4); }, "pipe", "is no regular file");
+  ExpectError([&] { ReadInputFile(pipe); }, "pipe", "is not a regular file");
+  ExpectError([&] { ReadInputStart(pipe, 4); }, "pipe", "is not a regular file");
   ExpectError([&] { ReadInputFile("/dev/zero"); }, "/dev/zero", "a device");
   ExpectError([&] { ReadInputFile(this->Folder.Path); }, "a folder");
   ExpectError([&] { ReadInputFile(this->Folder / "none"); }, "none", "no such file");

@@ -47,7 +47,7 @@ TEST(JsonFile, ValuesAreThoseOfTheText)
 
 TEST(JsonFile, SlipsAreNamedByLineAndColumnAndWhatWasExpected)
 {
-  ExpectRefused("", "line 1, column 1: is no JSON", "got the end, expected a value");
+  ExpectRefused("", "line 1, column 1: is not JSON", "got the end, expected a value");
   ExpectRefused("{", "line 1, column 2", "got the end, expected a key in quotes or '}'");
   ExpectRefused("{\n  \"a\": 1,\n}", "line 3, column 1", "got '}', expected a key in quotes");
   ExpectRefused("{\"a\" 1}", "line 1, column 6", "got '1', expected ':' and a value");
@@ -58,7 +58,7 @@ TEST(JsonFile, SlipsAreNamedByLineAndColumnAndWhatWasExpected)
   ExpectRefused("[yes]", "column 2", "got 'y", "expected a value or ']'");
   ExpectRefused("{} x", "column 4", "got 'x', expected the end");
   ExpectRefused("[1e999]", "column 2: number is out of range", "got '1e999'");
-  ExpectRefused("[\n\"a\nb\"]", "line 2, column 1: is no JSON");
+  ExpectRefused("[\n\"a\nb\"]", "line 2, column 1: is not JSON");
 }
 
 TEST(JsonFile, AKeyThatIsThereTwiceIsNamed)
@@ -80,7 +80,7 @@ TEST(JsonFile, NestingAHundredThousandDeepIsAnErrorAndNoCrash)
 
 TEST(JsonFile, TextThatIsNoUtf8IsNamedByItsPlace)
 {
-  ExpectRefused("{\n\"caf\xE9\": 1}", "line 2, column 5: is no JSON: its text is no UTF-8");
+  ExpectRefused("{\n\"caf\xE9\": 1}", "line 2, column 5: is not JSON: its text is not UTF-8");
 }
 
 TEST(JsonFile, WritingNeverThrows)
@@ -111,8 +111,8 @@ TEST(JsonFile, PipesAndFoldersAreRefusedAtOnce)
   const TemporaryFolder folder;
   const auto pipe = folder / "pipe.json";
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
-  ExpectError([&] { ReadJsonFile(pipe); }, "pipe.json", "is no regular file");
-  ExpectError([&] { ReadJsonFile(folder.Path); }, "is no regular file");
+  ExpectError([&] { ReadJsonFile(pipe); }, "pipe.json", "is not a regular file");
+  ExpectError([&] { ReadJsonFile(folder.Path); }, "is not a regular file");
   ExpectError([&] { ReadJsonFile(folder / "nothing.json"); }, "no such file");
   EXPECT_THROW(ReadJsonObject(folder / "nothing.json"), UsageError);
 }

@@ -70,7 +70,7 @@ std::vector<std::string> Kinds(const CheckReport& report)
   return kinds;
 }
 
-/** Turns a camera about its own centre so that its picture moves by about so many pixels. */
+/** Turns a camera about its own centre so that its picture moves by about this many pixels. */
 void TurnCamera(Photo& photo, double pixels)
 {
   const Eigen::Vector3d centre = photo.Cam.Centre();
@@ -104,7 +104,7 @@ TEST_F(DatasetCheck, ACleanDataSetHasNoFindings)
     const CheckReport report = this->Check(CleanPhotos(), { format });
     EXPECT_THAT(Kinds(report), ElementsAre());
     EXPECT_FALSE(report.HasProblems());
-    // All but rounding at the rim.
+    // All but rounding at the silhouette boundary.
     EXPECT_GT(report.MeanIou, 0.995);
   }
 }
@@ -153,7 +153,7 @@ TEST_F(DatasetCheck, AnOptionThatIsOneTooManyIsNamed)
   WriteDataset(this->Folder.Path, CleanPhotos());
   const CheckReport report = this->CheckWith({ "--poses", "camera-to-world" });
   ASSERT_THAT(Kinds(report), ElementsAre("convention"));
-  EXPECT_THAT(report.Findings[0].Text, HasSubstr("without the options that say how it is read"));
+  EXPECT_THAT(report.Findings[0].Text, HasSubstr("without the options that change how it is read"));
   EXPECT_THAT(report.Findings[0].Options, ElementsAre());
 }
 
@@ -421,8 +421,8 @@ TEST(CheckedPhotograph, SharpnessFallsWithBlurAndNotWithContrast)
   Brighten(dim, 0.5);
   Photo blurred = photo;
   Blur(blurred, 2);
-  // Rounding alone tells the dim one from the original; a blur of two pixels leaves little that is
-  // finer than one (measured 0.51 of it; 0.71 would be named).
+  // Rounding alone distinguishes the dim one from the original; a blur of two pixels leaves little
+  // that is finer than one (measured 0.51 of it; 0.71 would be named).
   EXPECT_NEAR(sharpness(dim), sharpness(photo), 0.05 * sharpness(photo));
   EXPECT_LT(sharpness(blurred), 0.6 * sharpness(photo));
 }

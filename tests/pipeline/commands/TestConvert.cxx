@@ -193,7 +193,7 @@ TEST_F(Convert, FoldersInUseAreRefused)
   ExpectError([&] { this->Run(options); }, "is the folder to read");
   this->Run(this->Options("nerf"));
   this->Run(this->Options("nerf")); // again is no harm
-  ExpectError([&] { this->Run(this->Options("opencv")); }, "holds another data set already",
+  ExpectError([&] { this->Run(this->Options("opencv")); }, "already contains another data set",
     "transforms.json");
 }
 

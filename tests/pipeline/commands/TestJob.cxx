@@ -98,13 +98,13 @@ TEST(Job, CommandLineSetsEveryKindOfOption)
   EXPECT_EQ(job.Input.Dataset, "bunny");
   EXPECT_EQ(job.Out, "out");
   EXPECT_EQ(job.View.From, "0");
-  EXPECT_EQ(job.Synthesis.HullSpacingPx, 1.25);
-  EXPECT_EQ(job.Synthesis.HullBox, (std::array<double, 6>{ -1, -2, -3, 1, 2, 3.5 }));
-  EXPECT_TRUE(job.Synthesis.HullKeepAll);
+  EXPECT_EQ(job.Synthesis.Hull.SpacingPx, 1.25);
+  EXPECT_EQ(job.Synthesis.Hull.Box, (std::array<double, 6>{ -1, -2, -3, 1, 2, 3.5 }));
+  EXPECT_TRUE(job.Synthesis.Hull.KeepAllComponents);
   EXPECT_EQ(job.Input.Exclude, (std::vector<std::string>{ "a.png", "b.png" }));
   EXPECT_EQ(job.UpTo, Stage::Outline);
   EXPECT_EQ(job.Input.Silhouette.Level, 40);
-  EXPECT_EQ(job.Synthesis.References, 5);
+  EXPECT_EQ(job.Synthesis.Texture.References, 5);
   EXPECT_EQ(job.Truth, "t.png");
 }
 
@@ -113,12 +113,13 @@ TEST(Job, BadValuesOnTheCommandLineAreNamed)
   const auto expect =
     [](const std::string& key, const std::vector<std::string>& words, const auto&... parts)
   { ExpectError([&] { MakeRunOptions("bunny", With(key, words)); }, parts...); };
-  expect("hullSpacing", { "two" }, "--hull-spacing", "is no number", "'two'");
+  expect("hullSpacing", { "two" }, "--hull-spacing", "is not a number", "'two'");
   expect("hullSpacing", { "0" }, "--hull-spacing", "out of range", "got 0", "0.25 to 64");
   expect("hullSpacing", { "nan" }, "--hull-spacing", "out of range");
-  expect("references", { "2.5" }, "--references", "no whole number", "'2.5'");
+  expect("references", { "2.5" }, "--references", "not a whole number", "'2.5'");
   expect("hullBox", { "1", "2" }, "--hull-box", "got 2 numbers, expected 6");
-  expect("hullBox", { "1", "0", "0", "0", "1", "1" }, "--hull-box", "is no box", "got 1,0,0,0,1,1");
+  expect(
+    "hullBox", { "1", "0", "0", "0", "1", "1" }, "--hull-box", "is not a box", "got 1,0,0,0,1,1");
   expect("hullKeepAll", { "yes" }, "--hull-keep-all", "true or false");
   expect("stage", { "mesh" }, "--stage", "'mesh'", "hull, outline, full");
   expect("preset", { "bst" }, "--preset", "'bst'", "best, paper");
@@ -149,17 +150,17 @@ TEST(Job, FileGoesOverPresetAndCommandLineOverFile)
   EXPECT_EQ(job.View.ParFile, folder / "test/t_par.txt");
   EXPECT_EQ(job.View.Name, "a.png");
   EXPECT_EQ(job.Synthesis.Preset, "paper");
-  EXPECT_EQ(job.Synthesis.HullSpacingPx, 3);
-  EXPECT_EQ(job.Synthesis.Power, 4);
-  EXPECT_EQ(job.Synthesis.OutlineIterations, PresetOptions("paper").OutlineIterations);
+  EXPECT_EQ(job.Synthesis.Hull.SpacingPx, 3);
+  EXPECT_EQ(job.Synthesis.Texture.Power, 4);
+  EXPECT_EQ(job.Synthesis.Outline.Iterations, PresetOptions("paper").Outline.Iterations);
   EXPECT_EQ(job.Threads, 2);
   EXPECT_FALSE(job.WriteIterations);
   // A preset on the command line replaces the file's stage options, but not those beside it.
   const RunOptions best =
     MakeRunOptions(folder / "job.json", { { "power", { "4" } }, { "preset", { "best" } } });
   EXPECT_EQ(best.Synthesis.Preset, "best");
-  EXPECT_EQ(best.Synthesis.HullSpacingPx, PresetOptions("best").HullSpacingPx);
-  EXPECT_EQ(best.Synthesis.Power, 4);
+  EXPECT_EQ(best.Synthesis.Hull.SpacingPx, PresetOptions("best").Hull.SpacingPx);
+  EXPECT_EQ(best.Synthesis.Texture.Power, 4);
   EXPECT_EQ(best.Input.Exclude, std::vector<std::string>{ "x.png" });
 }
 
@@ -175,7 +176,7 @@ TEST(Job, WrittenJobIsCompleteAndReadsBackTheSame)
   RunOptions again = MakeRunOptions(job.Out / "job.json", {});
   EXPECT_EQ(again.Out.lexically_normal(), (folder / "results/").lexically_normal());
   EXPECT_EQ(again.Input.Dataset, std::filesystem::absolute("bunny"));
-  EXPECT_EQ(again.Synthesis.HullBox, job.Synthesis.HullBox);
+  EXPECT_EQ(again.Synthesis.Hull.Box, job.Synthesis.Hull.Box);
   // Every option but the number of threads, which cannot change the result, is in the file.
   const nlohmann::ordered_json object = ReadJsonFile(job.Out / "job.json");
   EXPECT_EQ(object.size(), OptionsOf(job).size() - 1);
@@ -207,7 +208,7 @@ TEST(Job, BadJobFilesAreNamed)
   expect(R"({"dataset": "d", "hullBox": [1, 2]})", "key \"hullBox\"", "an array of 6 numbers");
   expect(R"({"dataset": "d", "preset": "quick"})", "best, paper");
   expect(R"({"dataset": "d", "power": 1, "power": 2})", "key \"power\" is there twice");
-  expect(R"({"dataset": "d",)", "is no JSON");
+  expect(R"({"dataset": "d",)", "is not JSON");
   expect(R"([1])", "got array, expected a JSON object");
   expect(R"({"power": 1})", "no data set given");
 }

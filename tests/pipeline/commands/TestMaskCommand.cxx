@@ -158,7 +158,7 @@ TEST_F(MaskCommand, ChromaNeedsAHue)
   ExpectError([&] { this->Run(this->Options("chroma")); }, "a.png", "no hue", "chroma");
   MaskOptions keyed = this->Options("chroma");
   keyed.Key = { 90, 90, 90 };
-  ExpectError([&] { this->Run(keyed); }, "no hue to tell the object by");
+  ExpectError([&] { this->Run(keyed); }, "no hue that distinguishes the object");
   EXPECT_FALSE(fs::exists(this->Out() / "mask")) << "nothing is written";
 }
 
@@ -219,9 +219,9 @@ TEST_F(MaskCommand, GrabCutNeedsAUsefulBox)
   this->Write("a.png", Paint(Wooden, UnevenGreen));
   MaskOptions options = this->Options("grabcut");
   options.Box = { 200, 10, 300, 100 };
-  ExpectError([&] { this->Run(options); }, "a.png", "box", "must hold a part of the photograph");
+  ExpectError([&] { this->Run(options); }, "a.png", "box", "must contain a part of the photograph");
   options.Box = { 0, 0, 160, 120 };
-  ExpectError([&] { this->Run(options); }, "leave one out", "got 160x120 of 160x120");
+  ExpectError([&] { this->Run(options); }, "exclude one", "got 160x120 of 160x120");
 }
 
 TEST_F(MaskCommand, AlphaIsTakenAsItIsAndAutoPrefersIt)
@@ -293,7 +293,7 @@ TEST_F(MaskCommand, AFolderWithoutPhotographsIsAnError)
 {
   fs::create_directories(this->In());
   ExpectError(
-    [&] { this->Run(this->Options("plain")); }, "holds neither a calibration nor a photograph");
+    [&] { this->Run(this->Options("plain")); }, "contains neither a calibration nor a photograph");
 }
 
 TEST(MaskSheet, ShowsOutlinesAndDarkensTheRest)

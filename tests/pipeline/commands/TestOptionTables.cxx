@@ -9,7 +9,12 @@
 #include "support/ChangedOption.h"
 #include "support/TestSupport.h"
 
+#include <functional>
+#include <initializer_list>
 #include <set>
+#include <type_traits>
+#include <utility>
+#include <variant>
 
 using namespace novelview;
 using namespace novelview::testing_support;
@@ -74,7 +79,37 @@ TEST(SynthesisOptionTable, HasARowForEveryMember)
 {
   SynthesisOptions options;
   // As many names as there are members; with another number it does not compile.
-  [[maybe_unused]] const auto& [m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13, m14, m15,
-    m16, m17, m18, m19, m20, m21, m22, m23, m24, m25, m26] = options;
-  EXPECT_EQ(OptionsOf(options).size(), 26u);
+  const auto& [preset, cache, refineCameras, reconcile, repair, hull, culler, outline, nonOutline,
+    texture, useDepthMaps, depthMaps] = options;
+  // Every member has a row, or rows for some of its own members.
+  std::size_t rows = 0;
+  for (const auto& [member, size] :
+    std::initializer_list<std::pair<const void*, std::size_t>>{ { &preset, sizeof(preset) },
+      { &cache, sizeof(cache) }, { &refineCameras, sizeof(refineCameras) },
+      { &reconcile, sizeof(reconcile) }, { &repair, sizeof(repair) }, { &hull, sizeof(hull) },
+      { &culler, sizeof(culler) }, { &outline, sizeof(outline) },
+      { &nonOutline, sizeof(nonOutline) }, { &texture, sizeof(texture) },
+      { &useDepthMaps, sizeof(useDepthMaps) }, { &depthMaps, sizeof(depthMaps) } })
+  {
+    const auto* begin = static_cast<const char*>(member);
+    const std::size_t before = rows;
+    for (const Option& option : OptionsOf(options))
+    {
+      const void* value = std::visit(
+        [](const auto& target) -> const void*
+        {
+          if constexpr (std::is_pointer_v<std::decay_t<decltype(target)>>)
+          {
+            return target;
+          }
+          return nullptr;
+        },
+        option.Target);
+      rows += std::less_equal<const char*>()(begin, static_cast<const char*>(value)) &&
+        std::less<const char*>()(static_cast<const char*>(value), begin + size);
+    }
+    EXPECT_GT(rows, before);
+  }
+  EXPECT_EQ(rows, OptionsOf(options).size());
+  EXPECT_EQ(rows, 26u);
 }

@@ -95,7 +95,7 @@ TEST(BouguetCalibration, BadFilesAreNamed)
   };
   expect("nx = 640;\n", "no fc of the right length", "got none");
   expect("fc = [ 500 ];\n", "line 1", "no fc of the right length", "got 1 numbers, expected 2");
-  expect(Intrinsics, "holds no camera");
+  expect(Intrinsics, "contains no camera");
   expect(Intrinsics + Poses, "not as many photographs as images", "got 0, expected 3");
   expect(Intrinsics + "omc_1 = [ 0 ; 0 ; 0 ];\nimage_name_1 = 'a.png';\n", "no Tc_1");
   expect(

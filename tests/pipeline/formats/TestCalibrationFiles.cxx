@@ -256,7 +256,7 @@ TEST(CalibrationFiles, PipesInPlaceOfFilesDoNotHang)
         ReadDatasetIndex(
           folder.Path, { .Calibration = folder / files.back().Path, .Format = format });
       },
-      "is no regular file", "a pipe");
+      "is not a regular file", "a pipe");
     ExpectError(
       [&] { ReadDatasetIndex(folder.Path, { .Format = format }); }, "no calibration file");
   }
@@ -279,7 +279,7 @@ TEST(CalibrationFiles, NamesThatTheFormatCannotHoldAreRefusedBeforeWriting)
 {
   std::vector<Photograph> photographs = SomePhotographs("nerf");
   photographs[1].Name = "caf\xE9.png";
-  ExpectError([&] { FormatOf("nerf").Compose("", photographs); }, "view caf\\xE9.png", "no UTF-8");
+  ExpectError([&] { FormatOf("nerf").Compose("", photographs); }, "view caf\\xE9.png", "not UTF-8");
   ExpectError([&] { FormatOf("opencv").Compose("", photographs); }, "beyond ASCII");
   photographs[1].Name = "a\nb.png";
   ExpectError([&] { FormatOf("bouguet").Compose("", photographs); }, "a line break");

@@ -280,11 +280,11 @@ TEST(Colmap, BadTextIsNamedByFileAndLine)
   };
   const std::string camera = "1 PINHOLE 640 480 500 500 320 240\n";
   with("# none\n", "");
-  ExpectError(read, "images.txt", "calibration holds no camera");
+  ExpectError(read, "images.txt", "calibration contains no camera");
   with("1 PINHOLE 640\n", "");
   ExpectError(read, "cameras.txt, line 1", "camera line is short", "got 3 words");
   with("1 PINHOLE 640 480 500 5oo 320 240\n", "");
-  ExpectError(read, "cameras.txt, line 1", "camera parameter is no number", "'5oo'");
+  ExpectError(read, "cameras.txt, line 1", "camera parameter is not a number", "'5oo'");
   with("1 PINHOLE 640 480 500 320 240\n", "1 1 0 0 0 0 0 1 1 a.png\n\n");
   ExpectError(read, "cameras.txt, line 1", "parameters for PINHOLE", "got 3, expected 4");
   with(camera + camera, "");
@@ -299,7 +299,7 @@ TEST(Colmap, BadTextIsNamedByFileAndLine)
   ExpectError(read, "images.txt, line 3", "a.png is there twice");
   // Every second image would be taken for the points of the one before, unnoticed.
   with(camera, "1 1 0 0 0 0 0 1 1 a.png\n2 1 0 0 0 0 0 2 1 b.png\n");
-  ExpectError(read, "images.txt, line 2", "no line of points", "every image has two lines");
+  ExpectError(read, "images.txt, line 2", "not a line of points", "every image has two lines");
 }
 
 TEST(Colmap, BadBinaryIsNamedByFileAndByte)
@@ -310,7 +310,7 @@ TEST(Colmap, BadBinaryIsNamedByFileAndByte)
   WriteFile(folder / "cameras.bin", CamerasBinary().substr(0, 40));
   ExpectError(read, "cameras.bin, byte 40", "ends too early");
   WriteFile(folder / "cameras.bin", CamerasBinary() + "x");
-  ExpectError(read, "cameras.bin", "goes on behind its end", "got 1 bytes");
+  ExpectError(read, "cameras.bin", "continues after its end", "got 1 bytes");
   std::string unknown = CamerasBinary();
   unknown[12] = 99;
   WriteFile(folder / "cameras.bin", unknown);
@@ -322,7 +322,7 @@ TEST(Colmap, BadBinaryIsNamedByFileAndByte)
     WriteFile(folder / "images.bin", ImagesBinary().substr(0, length));
     ExpectError(read, "images.bin, byte", "ends too early");
   }
-  // A count of points that no file can hold.
+  // A count of points that no file can contain.
   std::string huge = ImagesBinary();
   const std::size_t count = huge.size() - 2 * 24 - 8;
   huge[count + 7] = '\x7f';
@@ -350,7 +350,7 @@ TEST(Colmap, WritesOneCameraForAllPhotographsThatShareIt)
 TEST(Colmap, WhatItCannotHoldIsRefused)
 {
   ExpectError([] { FormatOf("colmap").Compose("", RandomPhotographs(1, true, {}, 0.5)); },
-    "view a0.png", "K has a skew, which the format colmap cannot hold", "got 0.5, expected 0");
+    "view a0.png", "K has a skew, which the format colmap cannot represent", "got 0.5, expected 0");
   std::vector<Photograph> blank = RandomPhotographs(1, true, {});
   blank[0].Name = "a 0.png";
   ExpectError([&blank] { FormatOf("colmap").Compose("", blank); }, "'a 0.png'", "colmap-binary");

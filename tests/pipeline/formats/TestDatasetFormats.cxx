@@ -193,7 +193,7 @@ TEST(DatasetFormats, NothingFoundSaysWhatWasLookedFor)
   ExpectError([&] { ReadDatasetIndex(folder.Path, { .Format = "bouguet" }); },
     "no calibration file", "got none, expected one of Calib_Results.m (bouguet)");
   ExpectError([&] { ReadDatasetIndex(folder.Path, { folder / "cameras.dat" }); }, "cameras.dat",
-    "is no calibration that can be told by its name");
+    "is not a calibration that is recognised by its name");
 }
 
 TEST(DatasetFormats, SeveralFoundAreNamedAndOneCanBeChosen)
@@ -206,7 +206,7 @@ TEST(DatasetFormats, SeveralFoundAreNamedAndOneCanBeChosen)
     "sparse/0/images.txt (colmap), transforms.json (nerf), Calib_Results.m (bouguet)");
   EXPECT_EQ(ReadDatasetIndex(folder.Path, { .Format = "colmap" }).Format, "colmap");
   EXPECT_EQ(ReadDatasetIndex(folder.Path, { folder / "transforms.json" }).Format, "nerf");
-  // A name that tells nothing is read as what it is said to be.
+  // A name without a known extension is read in the format that is given.
   std::filesystem::rename(folder / "Calib_Results.m", folder / "mine.txt");
   DatasetSource source{ folder / "mine.txt", "bouguet" };
   ExpectSamePhotographs(

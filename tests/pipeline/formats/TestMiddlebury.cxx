@@ -260,7 +260,7 @@ TEST_F(Middlebury, BadCalibrationIsNamedByFileAndLine)
   ExpectError(read, "ball_par.txt", "count in line 1", "got 3, expected 4");
   this->Lines[0] = "three";
   this->WriteLines();
-  ExpectError(read, "ball_par.txt, line 1", "no count of photographs", "got 'three'");
+  ExpectError(read, "ball_par.txt, line 1", "not a count of photographs", "got 'three'");
   WriteText(this->ParFile(), "");
   ExpectError(read, "ball_par.txt", "empty");
 
@@ -274,7 +274,7 @@ TEST_F(Middlebury, BadCalibrationIsNamedByFileAndLine)
 
   this->Lines = good;
   this->ReplaceWord(4, "1,5");
-  ExpectError(read, "ball_par.txt, line 3", "value 4 of ball1.png is no number", "'1,5'");
+  ExpectError(read, "ball_par.txt, line 3", "value 4 of ball1.png is not a number", "'1,5'");
   this->Lines = good;
   this->ReplaceWord(20, "nan");
   ExpectError(read, "ball_par.txt, line 3", "not finite");

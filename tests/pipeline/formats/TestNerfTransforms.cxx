@@ -104,18 +104,18 @@ TEST(NerfTransforms, BadFilesAreNamedByFrame)
   { ExpectError([&] { OneFrame(shared, own).Read(); }, "transforms.json, frame 0", parts...); };
   expect(Sized, "", "has no \"file_path\"");
   expect(R"("w": 640, "h": 480)", Path, "no focal length", "fl_x or camera_angle_x");
-  expect(R"("w": 640, "h": 480, "fl_x": "x")", Path, "\"fl_x\" is no number");
+  expect(R"("w": 640, "h": 480, "fl_x": "x")", Path, "\"fl_x\" is not a number");
   expect(Sized + R"(, "camera_model": "EQUIRECTANGULAR")", Path, "cannot be undistorted",
     "EQUIRECTANGULAR", "OPENCV_FISHEYE");
   expect(Sized + R"(, "k4": 0.1)", Path, "k4 cannot be undistorted");
   const TemporaryFolder folder;
   const auto read = [&folder] { ReadDatasetIndex(folder.Path); };
   WriteFile(folder / "transforms.json", "{");
-  ExpectError(read, "transforms.json", "is no JSON");
+  ExpectError(read, "transforms.json", "is not JSON");
   WriteFile(folder / "transforms.json", "[]");
   ExpectError(read, "transforms.json", "has no \"frames\"");
   WriteFile(folder / "transforms.json", R"({"frames": []})");
-  ExpectError(read, "transforms.json", "holds no camera");
+  ExpectError(read, "transforms.json", "contains no camera");
   WriteFile(
     folder / "transforms.json", R"({"frames": [{"file_path": "a", "transform_matrix": [1]}]})");
   ExpectError(read, "frame 0", "no pose", "4x4 or 3x4");

@@ -147,7 +147,7 @@ TEST(OpenCvCalibration, BadFilesAreNamed)
   };
   expect(Sample, "not as many photographs as poses", "got 0, expected 2");
   expect("%YAML:1.0\n---\n" + Matrix, "no poses", "\"views\", or \"extrinsic_parameters\"");
-  expect("camera_matrix: [\n", "is no calibration of OpenCV");
+  expect("camera_matrix: [\n", "is not a calibration of OpenCV");
   expect(Views("     tvec: [ 0, 0, 1 ]\n"), "view 0", "has no \"image\"");
   const std::string image = "     image: \"a.png\"\n";
   expect(Views(image + "     tvec: [ 0, 0, 1 ]\n"), "view 0 (a.png)", "\"rvec\"", "got none");

@@ -140,7 +140,7 @@ TEST(OpenCvStorage, XmlCutAnywhereIsRefused)
   {
     EXPECT_THROW(Parsed(whole.substr(0, length)), Error) << length;
   }
-  ExpectRefused(whole.substr(0, whole.size() / 2), "line ", "no valid XML");
+  ExpectRefused(whole.substr(0, whole.size() / 2), "line ", "not valid XML");
 }
 
 TEST(OpenCvStorage, NestingFiftyThousandDeepIsAnErrorAndNoCrash)
@@ -158,20 +158,20 @@ TEST(OpenCvStorage, NestingFiftyThousandDeepIsAnErrorAndNoCrash)
 
 TEST(OpenCvStorage, SlipsAreNamedByLineInTheProgramsWords)
 {
-  ExpectRefused("%YAML:1.0\n---\na: [ 1, 2\nb: 3\n", "line 4", "no valid YAML");
+  ExpectRefused("%YAML:1.0\n---\na: [ 1, 2\nb: 3\n", "line 4", "not valid YAML");
   ExpectRefused("%YAML:1.0\n---\na: &x 1\nb: *x\n", "line 3", "anchors and aliases");
-  ExpectRefused("{\"a\": }", "line 1, column 7", "is no JSON");
+  ExpectRefused("{\"a\": }", "line 1, column 7", "is not JSON");
   ExpectRefused("<storage/>", "got element \"storage\", expected \"opencv_storage\"");
   ExpectRefused("<opencv_storage><a>1<b>2</b></a></opencv_storage>", "line 1", "\"a\" mixes");
-  ExpectRefused("a: caf\xE9", "no UTF-8");
+  ExpectRefused("a: caf\xE9", "not UTF-8");
   const auto refused = [](const std::string& text, const auto&... parts)
   { ExpectError([&text] { NumbersOf(text); }, "m: ", parts...); };
-  refused(YamlMatrix("d", "1, 2, 3"), "not as large as it says", "got 3 numbers, expected 4");
+  refused(YamlMatrix("d", "1, 2, 3"), "not have its stated size", "got 3 numbers, expected 4");
   refused(YamlMatrix("q", "1, 2, 3, 4"), "no \"dt\"", "got q");
-  refused(YamlMatrix("d", "1, 2, x, 4"), "is no number", "'x'");
+  refused(YamlMatrix("d", "1, 2, x, 4"), "is not a number", "'x'");
   refused("m: !!opencv-matrix\n   dt: d\n", "no \"rows\"");
   refused("m: !!opencv-matrix\n   dt: d\n   rows: 1e300\n   cols: 1e300\n   data: []\n",
-    "not as large as it says");
+    "not have its stated size");
 }
 
 TEST(OpenCvStorage, AnyChangeOfAFileIsReadOrRefused)

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/NumberText.h"
+#include "drawing/SolidTexture.h"
 #include "generator/Generator.h"
 #include "generator/GeneratorRig.h"
 
@@ -220,7 +222,7 @@ TEST_F(Generator, ShadowBreaksThresholdingButNotTheExactMask)
   const auto pixels = [this](const std::string& file)
   { return cv::countNonZero(this->Read(file) > 127); };
   const int exact = pixels("exact/mask/bust0001.png");
-  // The shadow takes the shoulders; without it only the rim, whose pixels are less than half
+  // The shadow takes the shoulders; without it only the boundary, whose pixels are less than half
   // covered but bright enough, may differ.
   EXPECT_LT(pixels("threshold/mask/bust0001.png"), 0.8 * exact);
   EXPECT_NEAR(
@@ -371,10 +373,10 @@ TEST_F(Generator, RefusesWrongOptions)
   };
   using Options = GeneratorOptions;
   EXPECT_THAT(message([](Options& o) { o.Texture = "woood"; }),
-    HasSubstr("generate, texture: is no such choice (got 'woood', expected wood, marble, checker, "
-              "plaster, grey)"));
+    HasSubstr("generate, texture: is not a valid choice (got 'woood', expected " +
+      Joined(TextureNames()) + ")"));
   EXPECT_THAT(message([](Options& o) { o.Masks = "some"; }),
-    HasSubstr("masks: is no such choice (got 'some'"));
+    HasSubstr("masks: is not a valid choice (got 'some'"));
   EXPECT_THAT(message([](Options& o) { o.Views = 0; }),
     HasSubstr("views: is out of range (got 0, expected 1 to 10000)"));
   EXPECT_THAT(message([](Options& o) { o.Width = -3; }),
@@ -411,7 +413,7 @@ TEST_F(Generator, RefusesMeshesThatAreNone)
     }
   }
   this->WriteFile("flat.obj", "v 0 0 0\nv 0 0 0\nv 0 0 0\nf 1 2 3\n");
-  EXPECT_THAT(message("flat.obj"), HasSubstr("holds no triangles"));
+  EXPECT_THAT(message("flat.obj"), HasSubstr("contains no triangles"));
   this->WriteFile("nan.obj", "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n");
   EXPECT_THAT(message("nan.obj"), HasSubstr("not finite"));
 }

@@ -81,8 +81,8 @@ TEST(SyntheticRenderer, SpheresAppearWhereTheCameraProjectsThem)
   for (const Vector2d& pixel : expected)
   {
     const Vector2d seen = Centroid(photograph.Coverage, pixel, 8);
-    // The rim of each sphere is sampled about 120 times, which leaves 0.25 / sqrt(120) = 0.02 px;
-    // the perspective drawing-out of a sphere of 5 px moves its centroid by another 0.01 px.
+    // The boundary of each sphere is sampled about 120 times, which leaves 0.25 / sqrt(120) = 0.02
+    // px; the perspective drawing-out of a sphere of 5 px moves its centroid by another 0.01 px.
     EXPECT_LT((seen - pixel).norm(), 0.05)
       << "expected " << pixel.transpose() << ", seen " << seen.transpose();
   }

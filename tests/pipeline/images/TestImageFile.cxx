@@ -87,12 +87,12 @@ TEST(ImageFile, TheTopRowOfThePictureIsVtksLast)
 TEST(ImageFile, ErrorsNameTheFile)
 {
   const TemporaryFolder folder;
-  WriteText(folder / "text.png", "this is no picture");
+  WriteText(folder / "text.png", "this is not a picture");
   ExpectError([&] { ReadColorFile(folder / "none.png"); }, "none.png", "no such file");
   ExpectError([&] { ReadColorFile(folder / "text.png"); }, "text.png", "cannot be read");
   const Image<std::uint8_t> image = Gradient(4, 4, 3);
   WriteImageFile(folder / "color.png", image.Ref());
-  ExpectError([&] { ReadFloatFile(folder / "color.png"); }, "color.png", "is no depth image");
+  ExpectError([&] { ReadFloatFile(folder / "color.png"); }, "color.png", "is not a depth image");
   ExpectError([&] { WriteImageFile(folder / "a.xyz", image.Ref()); }, "a.xyz", "cannot be written");
   ExpectError([&] { WriteImageFile(folder / "text.png/a.png", image.Ref()); }, "text.png");
   ExpectError([&] { WriteFloatFile(folder / "a.png", Image<float>(2, 2).Ref()); }, "a.png", ".tif");

@@ -107,7 +107,7 @@ TEST(Silhouette, FindsTheHalfOfAnObjectThatAShadowAllButBlackens)
       const double light = 9 + 150 * std::clamp((62 + 0.2 * x - y) / 6, 0.0, 1.0);
       return Seen{ ball ? Colour{ light, light, light } : Colour{ 6, 6, 6 }, ball };
     });
-  // The dark half's rim is known to about a pixel, 125 of 5000.
+  // The dark half's boundary is known to about a pixel, 125 of 5000.
   EXPECT_GT(IouOf(ExtractSilhouette(photo.Rgb.Ref()), photo.Truth), 0.95);
 }
 
@@ -126,7 +126,7 @@ TEST(Silhouette, OfAnObjectThatLeavesTheFrameReachesTheFrame)
 
 TEST(Silhouette, RimIsTheHalfHeightOfTheEdgeNotItsFoot)
 {
-  // An evenly bright disc: the low level alone would put the rim some 0.4 px outside.
+  // An evenly bright disc: the low level alone would put the boundary some 0.4 px outside.
   const auto disc = [](double x, double y) { return 35.3 - std::hypot(x - 80.2, y - 59.7); };
   const Photo photo = Take(
     [&disc](double x, double y)
@@ -167,7 +167,8 @@ TEST(Silhouette, IgnoresTheCastShadowOnAColouredBackground)
       const Colour ground = shadow ? Colour{ 20, 40, 90 } : Colour{ 40, 80, 180 };
       return Seen{ box ? Colour{ 150, 150, 150 } : ground, box };
     });
-  EXPECT_GT(IouOf(ExtractSilhouette(photo.Rgb.Ref()), photo.Truth), 0.97); // 3 % = half the rim
+  EXPECT_GT(
+    IouOf(ExtractSilhouette(photo.Rgb.Ref()), photo.Truth), 0.97); // 3 % = half the boundary
   SilhouetteOptions without;
   without.IgnoreShadows = false;
   EXPECT_LT(IouOf(ExtractSilhouette(photo.Rgb.Ref(), without), photo.Truth), 0.8);
@@ -189,7 +190,7 @@ TEST(Silhouette, FillsSpecksButKeepsRealHoles)
   EXPECT_GT(mask(80, 30), 127) << "the speck in the ring";
   EXPECT_LT(mask(80, 60), 128) << "the hole of the ring";
   EXPECT_LT(mask(20, 20), 128) << "the crumb beside it";
-  EXPECT_GT(IouOf(mask, photo.Truth), 0.97); // half the rim
+  EXPECT_GT(IouOf(mask, photo.Truth), 0.97); // half the boundary
 }
 
 namespace

@@ -57,7 +57,7 @@ void ExpectSameFaces(vtkCellArray* ours, vtkCellArray* theirs)
   }
 }
 
-/** The same bits of points, the same faces, in the same order. */
+/** Bit-identical points and the same faces in the same order. */
 void ExpectSameMesh(vtkPolyData* ours, vtkPolyData* theirs)
 {
   ASSERT_GT(theirs->GetNumberOfPoints(), 0);
@@ -294,7 +294,7 @@ TEST_F(MeshFile, SaysWhatIsWrongWithAPlyFile)
 {
   const auto message = [](const std::string& text) { return Message(".ply", text); };
   EXPECT_EQ(message(PlyText("3", Corners + "3 0 1 2\n")), "");
-  EXPECT_THAT(message(""), HasSubstr("file, line 1: is no PLY file"));
+  EXPECT_THAT(message(""), HasSubstr("file, line 1: is not a PLY file"));
   EXPECT_THAT(message("ply\nformat ascii 1.0\nelement vertex 3\n"), HasSubstr("no end_header"));
   EXPECT_THAT(message(PlyText("4294967295", Corners + "3 0 1 2\n")),
     HasSubstr("file, line 4: the file is too short for the element \"vertex\" 4294967295 (got 27 "
@@ -304,15 +304,15 @@ TEST_F(MeshFile, SaysWhatIsWrongWithAPlyFile)
   EXPECT_THAT(message(PlyText("3", "0 0 0\n1 0\n0 1 0\n3 0 1 2\n")),
     HasSubstr("file, line 12: line has fewer numbers than the header"));
   EXPECT_THAT(message(PlyText("3", "0 0 0\n1 0 zero\n0 1 0\n3 0 1 2\n")),
-    HasSubstr("file, line 12: is no number (got \"zero\""));
+    HasSubstr("file, line 12: is not a number (got \"zero\""));
   EXPECT_THAT(message(PlyText("3", Corners + "3 0 1 2 5\n")), HasSubstr("line has more numbers"));
-  EXPECT_THAT(message(PlyText("3", Corners + "3 0 1 2\n3 0 1 2\n")), HasSubstr("goes on behind"));
+  EXPECT_THAT(message(PlyText("3", Corners + "3 0 1 2\n3 0 1 2\n")), HasSubstr("continues after"));
   EXPECT_THAT(message(PlyText("3", Corners + "3 0 1 3\n")),
     HasSubstr("file, line 14: face names a point that does not exist (got 3, expected 0 to 2)"));
   EXPECT_THAT(message(PlyText("3", Corners + "2 0 1\n")), HasSubstr("number of corners (got 2"));
   EXPECT_THAT(
     message(PlyText("3", Corners + "-1 0 1\n")), HasSubstr("length of a list is negative"));
-  EXPECT_THAT(message(PlyText("3", Corners + "3 0 1 1.5\n")), HasSubstr("is no integer"));
+  EXPECT_THAT(message(PlyText("3", Corners + "3 0 1 1.5\n")), HasSubstr("is not an integer"));
   EXPECT_THAT(message(PlyText("3", "0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n")),
     HasSubstr("file, line 12: coordinate of a point is not finite or too large (got nan"));
   EXPECT_THAT(message(PlyText("3", "0 0 0\n1e300 0 0\n0 1 0\n3 0 1 2\n")), HasSubstr("got 1e+300"));
@@ -322,7 +322,7 @@ TEST_F(MeshFile, SaysWhatIsWrongWithAPlyFile)
   EXPECT_THAT(message(PlyText("3", Corners, "")), HasSubstr("without the element \"face\""));
   EXPECT_THAT(
     message(PlyText("3", Corners, "element face 0\nproperty list uchar int vertex_index\n")),
-    HasSubstr("holds no faces"));
+    HasSubstr("contains no faces"));
   EXPECT_THAT(message("ply\nformat ascii 1.0\nelement vertex 1\nproperty quad x\n"),
     HasSubstr("file, line 4: unknown type of a property (got \"quad\""));
   EXPECT_THAT(message("ply\nformat ascii 1.0\nelement vertex 1\nproperty int a\nproperty int a\n"),
@@ -336,7 +336,7 @@ TEST_F(MeshFile, SaysWhereABinaryFileIsCut)
   EXPECT_EQ(Message(".ply", ply), "");
   EXPECT_THAT(Message(".ply", ply.substr(0, ply.size() - 5)), HasSubstr("file ends too early"));
   EXPECT_THAT(Message(".ply", ply.substr(0, ply.size() - 5)), HasSubstr("file, byte "));
-  EXPECT_THAT(Message(".ply", ply + "more"), HasSubstr("goes on behind its end"));
+  EXPECT_THAT(Message(".ply", ply + "more"), HasSubstr("continues after its end"));
   Write<vtkSTLWriter>(Triangulated(Ball()), this->Folder / "a.stl",
     [](vtkSTLWriter* writer) { writer->SetFileTypeToBinary(); });
   const std::string stl = ReadText(this->Folder / "a.stl");
@@ -349,7 +349,7 @@ TEST_F(MeshFile, SaysWhatIsWrongWithAnObjFile)
   const auto message = [](const std::string& text) { return Message(".obj", text); };
   const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
   EXPECT_EQ(message(corners + "f 1 2 3\n"), "");
-  EXPECT_THAT(message(""), HasSubstr("file: holds no faces"));
+  EXPECT_THAT(message(""), HasSubstr("file: contains no faces"));
   EXPECT_THAT(message(corners + "f 1 2 4\n"),
     HasSubstr("file, line 4: face names a point that does not exist (got 4, expected 1 to 3"));
   EXPECT_THAT(message(corners + "f 1 2 0\n"), HasSubstr("(got 0, expected 1 to 3 or -3 to -1)"));
@@ -371,7 +371,7 @@ TEST_F(MeshFile, SaysWhatIsWrongWithAnStlFile)
   const auto message = [](const std::string& text) { return Message(".stl", text); };
   EXPECT_EQ(message(GoodStl), "");
   EXPECT_THAT(message(""), HasSubstr("file: binary STL file has the wrong size (got 0 bytes"));
-  EXPECT_THAT(message("solid\nendsolid\n"), HasSubstr("file: holds no faces"));
+  EXPECT_THAT(message("solid\nendsolid\n"), HasSubstr("file: contains no faces"));
   EXPECT_THAT(message("solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0\n"),
     HasSubstr("file, line 5: vertex without three coordinates"));
   EXPECT_THAT(message("solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nendloop\n"),
@@ -387,8 +387,8 @@ TEST_F(MeshFile, SaysWhatIsWrongWithAVtpFile)
   const auto message = [](const std::string& text) { return Message(".vtp", text); };
   const std::string points = "0 0 0 1 0 0 0 1 0";
   EXPECT_EQ(message(VtpText(points, "0 1 2", "3")), "");
-  EXPECT_THAT(message(""), HasSubstr("file, line 1: is no well-formed XML"));
-  EXPECT_THAT(message("<a>\n<b>\n</a>"), HasSubstr("line 3: is no well-formed XML"));
+  EXPECT_THAT(message(""), HasSubstr("file, line 1: is not well-formed XML"));
+  EXPECT_THAT(message("<a>\n<b>\n</a>"), HasSubstr("line 3: is not well-formed XML"));
   EXPECT_THAT(message("<VTKFile type=\"ImageData\"/>"), HasSubstr("(got the type \"ImageData\""));
   EXPECT_THAT(message(VtpText("0 0 0 1 0 0 0 1", "0 1 2", "3")),
     HasSubstr("file, line 6: array has the wrong number of values (got 8, expected 9)"));
@@ -415,7 +415,7 @@ TEST_F(MeshFile, RefusesWhatIsNoFile)
 {
   ExpectError([&] { ReadMeshFile(this->Folder / "absent.ply"); }, "absent.ply", "no such file");
   fs::create_directory(this->Folder / "folder.ply");
-  ExpectError([&] { ReadMeshFile(this->Folder / "folder.ply"); }, "is no regular file");
+  ExpectError([&] { ReadMeshFile(this->Folder / "folder.ply"); }, "is not a regular file");
   ExpectError([&] { ReadMeshFile(this->Folder / "notes.txt"); }, "unknown kind of mesh file");
 }
 
@@ -438,7 +438,7 @@ TEST_F(MeshFile, ManyLargePolygonsAreAnErrorAndNoHang)
   EXPECT_EQ(Message(".obj", text(10000, 1)), "");
   EXPECT_THAT(Message(".obj", text(10001, 1)), HasSubstr("(got 10001, expected 3 to 10000)"));
   EXPECT_THAT(Message(".obj", text(10000, 40)),
-    HasSubstr("file, line 24: too many faces with so many corners"));
+    HasSubstr("file, line 24: too many faces with this many corners"));
 }
 
 /** Points far away used to make the search for equal points compare each with each. */

@@ -98,7 +98,7 @@ Chunks ChunksOf(const std::string& glb)
   return { nlohmann::json::parse(glb.substr(20, length)), glb.substr(second + 8) };
 }
 
-/** The one mesh that a GLB file holds, in the world of the file, and its texture. */
+/** The one mesh that a GLB file contains, in the world of the file, and its texture. */
 struct ReadBack
 {
   vtkSmartPointer<vtkPolyData> Mesh;
@@ -123,7 +123,7 @@ ReadBack ReadGlb(const std::filesystem::path& file)
   return result;
 }
 
-/** The mesh as a camera sees it, its texture unlit as the file asks for. */
+/** The mesh as a camera sees it, its texture unlit as the file requests. */
 vtkSmartPointer<vtkImageData> Rendered(const ReadBack& model, const Camera& camera)
 {
   // glTF counts texture coordinates from the top of the picture, VTK from the bottom.
@@ -407,6 +407,6 @@ TEST(ModelFiles, UnknownKindsAndTwiceTheSameAreErrors)
   };
   EXPECT_EQ(message({ "a.PLY", "b.glb" }), "") << "capitals are no other kind";
   EXPECT_EQ(message({ "a.fbx" }),
-    "--out: is no file for a mesh (got a.fbx, expected .glb, .obj, .ply, .vtp or .stl)");
+    "--out: is not a mesh file (got a.fbx, expected .glb, .obj, .ply, .vtp or .stl)");
   EXPECT_EQ(message({ "a.ply", "a.ply" }), "--out: names a file twice: a.ply");
 }

@@ -71,15 +71,15 @@ TEST_F(StageCacheTest, EverythingTheResultsFollowFromIsInTheKey)
   { return keys.insert(StageCache("c", views, this->Options).Entry()).second; };
   EXPECT_TRUE(add(this->Views));
   EXPECT_FALSE(add(BoxViews())) << "equal photographs are the same photographs";
-  this->Options.HullSpacingPx = 3;
+  this->Options.Hull.SpacingPx = 3;
   EXPECT_TRUE(add(this->Views));
   this->Options.UseDepthMaps = false;
   EXPECT_TRUE(add(this->Views));
   this->Options.ReconcileSilhouettes = false;
   EXPECT_TRUE(add(this->Views));
-  this->Options.HullBox = { 0, 0, 0, 1, 1, 1 };
+  this->Options.Hull.Box = { 0, 0, 0, 1, 1, 1 };
   EXPECT_TRUE(add(this->Views));
-  this->Options.Power = 3; // of the texture mapper
+  this->Options.Texture.Power = 3; // of the texture mapper
   EXPECT_FALSE(add(this->Views));
   const auto change = [&](const auto& how)
   {
@@ -165,21 +165,21 @@ TEST_F(StageCacheTest, WhateverStandsInTheEntrysPlaceIsOneWarning)
   WriteText(entry, "");
   replaced("too short");
   WriteText(entry, std::string(1000, 'x'));
-  replaced("no cache file");
+  replaced("not a cache file");
   WriteText(entry, good + "x");
   replaced("too long");
   fs::create_hard_link(entry, this->Folder / "kept");
   WriteText(entry, "");
   replaced("too short");
   EXPECT_EQ(ReadText(this->Folder / "kept"), "") << "a new file, not new bytes in the old one";
-  // What is no regular file is none of ours, and stays.
+  // What is not a regular file is none of ours, and stays.
   fs::remove(entry);
   ASSERT_EQ(::mkfifo(entry.c_str(), 0600), 0);
-  this->ExpectOneWarning(Synthesise(this->Options, this->Views), right, "no regular file");
+  this->ExpectOneWarning(Synthesise(this->Options, this->Views), right, "not a regular file");
   EXPECT_TRUE(fs::is_fifo(entry));
   fs::remove(entry);
   fs::create_directories(entry / "of the user");
-  this->ExpectOneWarning(Synthesise(this->Options, this->Views), right, "no regular file");
+  this->ExpectOneWarning(Synthesise(this->Options, this->Views), right, "not a regular file");
   EXPECT_TRUE(fs::exists(entry / "of the user"));
   fs::remove_all(entry);
   fs::create_symlink(entry.filename(), entry); // to itself

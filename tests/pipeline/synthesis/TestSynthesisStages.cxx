@@ -18,7 +18,7 @@ using namespace novelview;
 
 namespace
 {
-/** What a filter is set to and connected to, but for what differs from one filter to the next. */
+/** The settings and connections of a filter, without what differs between instances. */
 std::string StateOf(vtkAlgorithm* filter)
 {
   std::ostringstream printed;

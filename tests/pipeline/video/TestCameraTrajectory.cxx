@@ -79,7 +79,7 @@ TEST_F(CameraTrajectoryTest, WithoutAPathOnceRoundTheRing)
 TEST_F(CameraTrajectoryTest, CamerasOnNoRingNeedAPath)
 {
   this->Exclude = { "v3.png", "v4.png", "v5.png", "v6.png", "v7.png" };
-  ExpectError([&] { this->Frames(""); }, "are on no ring", "--path says where");
+  ExpectError([&] { this->Frames(""); }, "are on no ring", "use --path to define");
 }
 
 TEST_F(CameraTrajectoryTest, KeysByNameNumberPoseAndTarget)
@@ -127,14 +127,14 @@ TEST_F(CameraTrajectoryTest, CountsFramesAsTheKeysOrTheUserSay)
 
 TEST_F(CameraTrajectoryTest, SlipsAreNamed)
 {
-  this->ExpectRefused("[]", "is no job");
+  this->ExpectRefused("[]", "is not a job");
   this->ExpectRefused(R"({ "keys": [ { "camera": 0 } ] })", "an array of at least 2");
   this->ExpectRefused(R"({ "key": 1 })", "did you mean \"keys\"?");
   this->ExpectRefused(R"({ "keys": [ { "camera": 0 }, { "camera": "nobody" } ] })", "'nobody'");
   this->ExpectRefused(R"({ "keys": [ { "camera": 0, "frame": 1 }, { "camera": 1 } ] })",
     "1 of 2, expected all or none");
   this->ExpectRefused(R"({ "keys": [ { "camera": 0, "t": [0,0,0] }, { "camera": 1 } ] })",
-    "key camera 0: says not where it is in one of the three ways");
+    "key camera 0: does not state its position in one of the three ways");
   this->ExpectRefused(
     R"({ "keys": [ { "camera": 0 }, { "position": [0,0,1], "lookAt": [0,0] } ] })",
     "key camera 1, lookAt: has the wrong length (got 2, expected 3)");
@@ -145,5 +145,5 @@ TEST_F(CameraTrajectoryTest, SlipsAreNamed)
     "key 1 is not after");
   this->ExpectRefused(R"({ "keys": [ { "camera": 0 },
     { "position": [0,5,0], "lookAt": [0,0,0], "up": [0,1,0] } ] })",
-    "looks along its up");
+    "view direction along its up");
 }

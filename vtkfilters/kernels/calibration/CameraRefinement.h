@@ -2,7 +2,6 @@
 #ifndef novelview_CameraRefinement_h
 #define novelview_CameraRefinement_h
 
-#include "calibration/CalibrationParameters.h"
 #include "calibration/PointTracks.h"
 #include "core/Execution.h"
 #include "geometry/View.h"
@@ -11,20 +10,6 @@
 
 namespace novelview
 {
-struct CameraRefinementOptions
-{
-  PointTrackOptions Tracks;
-  double LossPx = 0.5;          ///< scale of the robust loss of a reprojection error
-  double FirstDeviationPx = 1;  ///< how far a given camera may be off, assumed at first,
-  double MinDeviationPx = 0.02; ///< and at least
-  double DeviationLoss = 4;     ///< scale of its robust loss, in deviations
-  int MaxIterations = 50;
-  int HoldOut = 5;    ///< one track in so many takes no part and judges the result
-  int MinJudges = 50; ///< with fewer of them the given cameras are kept
-  /** Refined cameras are accepted when the judges' error falls by this share of it at least. */
-  double MinGain = CalibrationParameters::MinGain.Default;
-};
-
 /** The cameras, and what was found out about them. */
 struct CameraRefinement
 {

@@ -2,6 +2,7 @@
 #ifndef novelview_PointTracks_h
 #define novelview_PointTracks_h
 
+#include "calibration/CameraRefinementOptions.h"
 #include "core/Execution.h"
 #include "geometry/View.h"
 
@@ -21,18 +22,6 @@ struct PointTrack
 {
   Eigen::Vector3d Position;
   std::vector<PointObservation> Observations;
-};
-
-struct PointTrackOptions
-{
-  int CellPx = 12;        ///< at most one point in each square of this size
-  int WindowRadius = 5;   ///< of the windows compared, pixels
-  int SearchPx = 5;       ///< how far off the projection is searched, each way, in both directions
-  int Neighbours = 4;     ///< source images of each reference image
-  double MinCosine = 0.4; ///< of the incidence, in both images
-  double MinSimilarity = 0.8; ///< zero-mean normalised cross-correlation
-  double MinContrast = 4;     ///< square root of the smaller eigenvalue of the structure tensor,
-                              ///< grey levels per pixel
 };
 
 /**

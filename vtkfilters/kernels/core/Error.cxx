@@ -56,7 +56,7 @@ std::string LineOf(
   return line;
 }
 
-/** OpenCV has an exception of its own for it, which nobody knows here. */
+/** OpenCV has a separate exception for it, which is unknown here. */
 bool IsOutOfMemory(const std::exception& error)
 {
   return dynamic_cast<const std::bad_alloc*>(&error) ||

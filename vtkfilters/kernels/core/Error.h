@@ -25,7 +25,7 @@ public:
     const std::string& expected);
 };
 
-/** Thrown when the progress callback of an Execution asks to stop. Not a fault of the input. */
+/** Thrown when the progress callback of an Execution requests a stop. Not an error of the input. */
 class Interrupted : public Error
 {
 public:
@@ -33,8 +33,8 @@ public:
 };
 
 /**
- * What to tell of any exception, in the project's words: an Error's own line; for others what is to be
- * done, never what a library says.
+ * The message for an exception, in the project's words: an Error's own line; for others what to
+ * do, never the text of a library.
  */
 std::string ErrorText(const std::exception& error);
 

@@ -15,14 +15,15 @@
 namespace novelview
 {
 /**
- * How a kernel runs: who spreads its loops over threads, and who hears of its progress.
+ * How a kernel runs: the function that distributes its loops over threads, and the receiver of its
+ * progress.
  *
  * Kernels know no VTK, so the filters hand them `vtkSMPTools::For` here; the default runs in the
  * calling thread. Determinism rule: the body writes only to slots that belong to its own indices
  * and reads nothing that another index writes, so the bits do not depend on the split.
  *
- * It is asked often whether to stop: by ForEach() between the calls of its body, and by CheckCancelled(),
- * which everything calls on its way that takes a tenth of a second or more.
+ * A requested stop is checked often: by ForEach() between the calls of its body, and by
+ * CheckCancelled(), which everything calls on its way that takes a tenth of a second or more.
  */
 class Execution
 {
@@ -42,22 +43,24 @@ public:
   };
 
   /**
-   * Hears the fraction done, 0 to 1; returns false to ask for a stop. Called only in the thread
+   * Receives the fraction done, 0 to 1; returns false to request a stop. Called only in the thread
    * that made this Execution.
    */
   std::function<bool(double fraction)> Progress = [](double) { return true; };
 
-  /** Whether to stop; any thread may ask, at any time. */
+  /** Whether to stop; may be called by any thread at any time. */
   std::function<bool()> StopRequested = [] { return false; };
 
-  /** Reports progress, and throws Interrupted when the listener asks to stop. Main thread only. */
+  /**
+   * Reports progress, and throws Interrupted when the listener requests a stop. Main thread only.
+   */
   void Report(double fraction) const
   {
     this->Token->Fraction = fraction;
     this->Ask();
   }
 
-  /** Throws Interrupted when somebody asks to stop. Costs some 50 ns; any thread. */
+  /** Throws Interrupted when a stop is requested. Costs some 50 ns; any thread. */
   void CheckCancelled() const
   {
     if (this->Token->Stopping || this->StopRequested())
@@ -133,7 +136,7 @@ private:
     Clock::time_point Asked = Clock::now();
   };
 
-  /** Tells a loop every few milliseconds that some have gone, and seldom looks at the clock. */
+  /** Reports to a loop every few milliseconds that time has passed, and rarely reads the clock. */
   class Throttle
   {
   public:

@@ -9,8 +9,8 @@ namespace novelview
 {
 /**
  * Fills what is open from what is known, a layer at a time. fill(item) gives an open item a value by
- * its known neighbours and tells whether there are any; know(item) makes it known, once the layer is
- * done. What no layer reaches is left as it is. The order of `open` does not matter.
+ * its known neighbours and returns whether there are any; know(item) makes it known, once the layer
+ * is done. What no layer reaches is left as it is. The order of `open` does not matter.
  */
 template <class Item, class Fill, class Know>
 void FillHolesIteratively(std::vector<Item> open, const Fill& fill, const Know& know)

@@ -24,12 +24,6 @@ struct Parameter
     }
   }
 
-  /** The same range and unit with another default. */
-  constexpr Parameter WithDefault(T value) const
-  {
-    return Parameter(value, this->Min, this->Max, this->Unit);
-  }
-
   /** Whether a value lies in the range, ends included; NaN does not. */
   constexpr bool Contains(T value) const { return value >= this->Min && value <= this->Max; }
 

@@ -8,7 +8,7 @@ namespace novelview
 {
 namespace
 {
-/** Texts that are longer are cut before anything else is done, so that no time goes into them. */
+/** Longer texts are cut before anything else is done, so that they cost no time. */
 constexpr std::size_t MostLookedAt = 4 * MaxInLine;
 
 unsigned char ByteAt(std::string_view text, std::size_t at)

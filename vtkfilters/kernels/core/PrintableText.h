@@ -26,7 +26,8 @@ std::string Printable(std::string_view text);
 
 /**
  * A printable text of at most `most` bytes: longer ones have "..." in place of their middle, between
- * whole characters. The end, which tells the most in a path, keeps more than the beginning.
+ * whole characters. The end, which is the most informative part of a path, keeps more than the
+ * beginning.
  */
 std::string Shortened(const std::string& text, std::size_t most);
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The two surfaces a labelled crust has, as closed and oriented triangle meshes.
+// The boundary of the inside tetrahedra as a closed and oriented triangle mesh.
 #ifndef novelview_CrustSurface_h
 #define novelview_CrustSurface_h
 
-#include "crust/PowerDiagram.h"
+#include "crust/DelaunayComplex.h"
 #include "crust/TetLabels.h"
 #include "geometry/TriangleMesh.h"
 
@@ -27,19 +27,6 @@ struct CrustSurface
  */
 CrustSurface ExtractDelaunayCrust(
   const DelaunayComplex& complex, const std::vector<Side>& labels, const Execution& execution = {});
-
-/**
- * The faces of the power diagram between inside and outside cells, each a convex polygon cut into
- * a fan of triangles; points are vertices of the power diagram.
- *
- * In the dual of a triangulation three cells meet in an edge and four in a vertex, so the boundary
- * of any union of bounded cells is a manifold and no repair is needed. Power vertices that coincide
- * (degenerate input) stay separate points, so triangles may have no area.
- *
- * Balls whose cell is unbounded must be outside.
- */
-TriangleMesh ExtractPowerCrust(const PowerDiagram& diagram, const Balls& balls,
-  const std::vector<Side>& labels, const Execution& execution);
 }
 
 #endif

@@ -8,7 +8,7 @@ namespace novelview
 {
 namespace
 {
-/** How often the repair may change its mind about one tetrahedron. */
+/** How often the repair may relabel one tetrahedron. */
 constexpr char MaximumTurns = 3;
 
 /** The tetrahedra around one sample, grouped by side and connection. */
@@ -20,7 +20,7 @@ public:
   {
     Side Label = Side::Unknown;
     double Volume = 0;
-    bool Frozen = false; ///< holds a tetrahedron that may not be turned over
+    bool Frozen = false; ///< contains a tetrahedron that may not be relabelled
     std::vector<int> Tets;
   };
 

@@ -14,9 +14,9 @@ namespace novelview
  *
  * A sample is regular when the inside tetrahedra around it are connected through facets that
  * contain it, and so are the outside ones. Around an irregular one all pieces of one side but the
- * largest are turned over, on the side where that costs less volume. No tetrahedron is turned more
- * than `MaximumTurns` times and none with a far corner at all, so it ends; what is left then is
- * for the extraction to split. Returns the number of samples left irregular.
+ * largest are relabelled, on the side where that costs less volume. No tetrahedron is relabelled
+ * more than `MaximumTurns` times and none with a far corner at all, so it ends; what is left then
+ * is for the extraction to split. Returns the number of samples left irregular.
  */
 int MakeManifold(
   const DelaunayComplex& complex, std::vector<Side>& labels, const Execution& execution = {});

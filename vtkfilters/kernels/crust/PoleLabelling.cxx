@@ -22,8 +22,8 @@ struct EdgeLists
 
 EdgeLists CollectEdges(const DelaunayComplex& complex, const Execution& execution)
 {
-  // The far corners surround every sample, so its link is a sphere of t triangles: Euler says that
-  // this has t / 2 + 2 points.
+  // The far corners surround every sample, so its link is a sphere of t triangles: by Euler's
+  // formula, this has t / 2 + 2 points.
   EdgeLists edges;
   edges.Start.assign(static_cast<std::size_t>(complex.NumberOfSamples) + 1, 0);
   for (int s = 0; s < complex.NumberOfSamples; ++s)
@@ -108,7 +108,7 @@ public:
     }
   }
 
-  /** Poles lie before or behind their sample, as its outward normal tells. */
+  /** Poles lie before or behind their sample, by its outward normal. */
   void AddNormalEvidence(const std::vector<Eigen::Vector3d>& normals)
   {
     for (std::size_t s = 0; s < this->PolesOfSample.size(); ++s)
@@ -165,7 +165,7 @@ public:
   }
 
 private:
-  /** Priorities, from -1 to 1, are told apart to this part of their range. */
+  /** Priorities, from -1 to 1, are distinguished to this part of their range. */
   static constexpr int Levels = 1 << 12;
 
   struct Pole
@@ -288,9 +288,9 @@ private:
   const DelaunayComplex& Complex;
   std::vector<std::array<int, 2>> PolesOfSample; ///< places in Poles, -1 = none
   const EdgeLists Edges;
-  std::vector<Pole> Poles;             ///< in the order of their tetrahedra
-  std::vector<Side> Labels;            ///< of the poles; apart, since most are asked for only that
-  std::vector<int> LastSource;         ///< per sample the pole that told its poles last
+  std::vector<Pole> Poles;     ///< in the order of their tetrahedra
+  std::vector<Side> Labels;    ///< of the poles; separate, since most accesses need only that
+  std::vector<int> LastSource; ///< per sample the pole that last propagated its label
   std::vector<std::vector<int>> Queue; ///< per level the poles, the last one first
   int Highest = -1;                    ///< no level above has a pole
 };

@@ -7,6 +7,7 @@
 #include "crust/ManifoldRepair.h"
 #include "crust/PoleLabelling.h"
 #include "crust/Poles.h"
+#include "crust/PowerCrustSurface.h"
 #include "crust/SampleRecovery.h"
 #include "crust/SmallComponents.h"
 
@@ -59,7 +60,7 @@ void MakeDelaunayCrust(const DelaunayComplex& complex, const PowerCrustOptions& 
   {
     RecoverSamples(complex, labels);
   }
-  // The repair can cut off crumbs of its own.
+  // The repair itself can cut off small components.
   result.RemovedComponents +=
     RemoveSmallComponents(complex, options.MinimumComponentSamples, labels);
   CrustSurface surface = ExtractDelaunayCrust(complex, labels, execution);
@@ -79,7 +80,7 @@ void MakeDelaunayCrust(const DelaunayComplex& complex, const PowerCrustOptions& 
 
 void PowerCrustOptions::Check() const
 {
-  if (!PowerCrustParameters::MinimumComponentSamples.Contains(this->MinimumComponentSamples))
+  if (!MinimumComponentSamplesParameter.Contains(this->MinimumComponentSamples))
   {
     throw Error(Where, "MinimumComponentSamples is out of range",
       std::to_string(this->MinimumComponentSamples), "0 or more");

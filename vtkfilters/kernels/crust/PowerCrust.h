@@ -3,38 +3,13 @@
 #define novelview_PowerCrust_h
 
 #include "core/Execution.h"
-#include "crust/PowerCrustParameters.h"
+#include "crust/PowerCrustOptions.h"
 #include "geometry/TriangleMesh.h"
 
 #include <vector>
 
 namespace novelview
 {
-/** Which surface to make of the samples. */
-enum class CrustOutput
-{
-  PowerCrust,   ///< faces of the power diagram between inside and outside cells
-  DelaunayCrust ///< triangles over the samples themselves
-};
-
-/** How the crust is made. */
-struct PowerCrustOptions
-{
-  CrustOutput Output = CrustOutput::DelaunayCrust;
-
-  /**
-   * Pieces and cavities with fewer samples than this are noise and dropped; the largest piece
-   * stays. 0 keeps everything. DelaunayCrust only.
-   */
-  int MinimumComponentSamples = PowerCrustParameters::MinimumComponentSamples.Default;
-
-  /** Whether samples just under or over the surface are brought onto it. DelaunayCrust only. */
-  bool RecoverSamples = PowerCrustParameters::RecoverSamples;
-
-  /** Throws Error naming the field that is out of range. */
-  void Check() const;
-};
-
 /** Polar balls: the samples' approximation of the medial balls. */
 struct MedialBalls
 {
@@ -72,7 +47,7 @@ struct PowerCrustResult
  *     Voronoi vertices follow the one whose ball theirs agrees with best (PropagateLabels).
  *  4. PowerCrust: the power diagram of the polar balls (radius = distance to the sample); its faces
  *     between inside and outside, triangulated.
- *     DelaunayCrust: small pieces are dropped; tetrahedra are turned over where the boundary is not
+ *     DelaunayCrust: small components are dropped; tetrahedra are relabelled where the boundary is not
  *     manifold; samples just off the surface are brought back; the boundary of the inside
  *     tetrahedra is extracted, and what is still not manifold is split.
  *

@@ -21,7 +21,7 @@ struct Balls
 /**
  * The power diagram of balls, as the regular triangulation dual to it.
  *
- * A ball that has no cell of its own is hidden: no tetrahedron names it.
+ * A ball without a cell is hidden: no tetrahedron contains it.
  */
 struct PowerDiagram
 {

@@ -3,6 +3,7 @@
 #define novelview_Membrane_h
 
 #include "core/Execution.h"
+#include "deformation/DeformationOptions.h"
 #include "geometry/MeshNeighbours.h"
 #include "geometry/TriangleMesh.h"
 
@@ -11,12 +12,6 @@
 
 namespace novelview
 {
-struct MembraneOptions
-{
-  int Sweeps = 8;     ///< how many rings of neighbours follow
-  double Decay = 0.9; ///< of the following, from ring to ring
-};
-
 /**
  * Lets the points of a mesh follow those that move, as a membrane does: in each sweep every point
  * that is not `fixed` takes Decay times the mean of its neighbours' moves. `moves` are in the

@@ -4,35 +4,13 @@
 
 #include "core/Execution.h"
 #include "deformation/Deformation.h"
-#include "deformation/DeformationParameters.h"
+#include "deformation/DeformationOptions.h"
 #include "geometry/View.h"
 
 #include <vector>
 
 namespace novelview
 {
-struct NonOutlineOptions
-{
-  /** Weight of the smoothness energy. */
-  double Alpha = NonOutlineParameters::Alpha.Default;
-  /** At most; 0 only measures. */
-  int Iterations = DeformationParameters::Iterations.Default;
-  /** How far from a point candidates lie, pixel footprints. */
-  double SearchPx = NonOutlineParameters::SearchPx.Default;
-  double StepPx = 0.25;       ///< spacing of the candidates, pixel footprints
-  double ConvergencePx = 0.1; ///< stop when no point moves further
-  /** Of the matching windows, input pixels. */
-  int WindowRadius = NonOutlineParameters::WindowRadius.Default;
-  int Secondaries = 2; ///< the key's neighbours
-  /** Search range along the epipolar line, each way, input pixels. */
-  int MatchRangePx = NonOutlineParameters::MatchRangePx.Default;
-  double RangeDecay = 0.85; ///< of that range from iteration to iteration,
-  int MinRangePx = 8;       ///< down to this, input pixels
-  int MatchStridePx = 2;    ///< first every so many pixels, then all about the best
-  int MatchAcrossPx = 1;    ///< and, about the best there, across it (calibration error)
-  int NormalRounds = 2;     ///< of smoothing the normals that choose the keys
-};
-
 /** A point triangulated between the key image and one secondary. */
 struct SubPoint
 {

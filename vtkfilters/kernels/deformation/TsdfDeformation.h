@@ -5,7 +5,7 @@
 #include "core/Execution.h"
 #include "core/ImageRef.h"
 #include "deformation/Deformation.h"
-#include "deformation/DeformationParameters.h"
+#include "deformation/DeformationOptions.h"
 #include "fusion/FusedSilhouette.h"
 #include "fusion/TsdfField.h"
 #include "geometry/View.h"
@@ -17,7 +17,7 @@ namespace novelview
 struct TsdfDeformationOptions
 {
   /** At most; 0 only measures. */
-  int Iterations = DeformationParameters::Iterations.Default;
+  int Iterations = IterationsParameter.Default;
   bool LastOnly = false;      ///< tell the listener of the last iteration only
   double ConvergencePx = 0.1; ///< stop when no point moves further, novel pixels or footprints
   double LevelDecay = 0.5;    ///< of the outline's level from iteration to iteration

@@ -4,7 +4,7 @@
 
 #include "core/Execution.h"
 #include "core/ImageRef.h"
-#include "fusion/FusionParameters.h"
+#include "fusion/DepthMapOptions.h"
 #include "fusion/SilhouetteSupport.h"
 #include "fusion/TsdfField.h"
 #include "geometry/TriangleMesh.h"
@@ -20,7 +20,7 @@ struct FusedSilhouetteOptions
   double StepPx = 2;      ///< of the walk along the novel rays, input pixel footprints
   double SmoothingPx = 0; ///< sigma of the Gaussian over the distances; 0 = none
   /** Whether the contour predicted from the photographs' contours takes part. */
-  bool UsePrediction = FusionParameters::UsePrediction;
+  bool UsePrediction = DepthMapOptions().UsePrediction;
   /** Its most weight against the field's 1. */
   double PredictionWeight = 10;
   double PredictionGatePx = 1;       ///< the weight falls as the two differ by this

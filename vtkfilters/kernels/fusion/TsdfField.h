@@ -2,6 +2,7 @@
 #ifndef novelview_TsdfField_h
 #define novelview_TsdfField_h
 
+#include "fusion/FusionOptions.h"
 #include "fusion/TsdfView.h"
 #include "geometry/View.h"
 
@@ -13,19 +14,6 @@
 namespace novelview
 {
 class TsdfRay;
-
-struct FusionOptions
-{
-  double TruncationPx = 5;      ///< tau, input pixel footprints
-  double SurfacePrior = 0.15;   ///< w0: weight of "solid" when the surface is located
-  double SilhouettePrior = 0.2; ///< w0m: the same when it is decided whether there is any
-  /**
-   * How far a depth without texture loses its confidence G at grazing incidence, [0, 1]: there the
-   * smoothness of the map has placed it. Factor 1 - GrazingDiscount (1 - G)^3 (1 - cos incidence).
-   * Regarded by FindClosestApproach() only.
-   */
-  double GrazingDiscount = 0;
-};
 
 /**
  * The depth maps of all reference views fused as a signed distance. At a point X each view with a

@@ -20,14 +20,14 @@ std::string RowText(const Eigen::Matrix3d& m)
   return text.str();
 }
 
-/** Parts of a picture's larger side that calibrations stay between. */
+/** Parts of an image's larger side that calibrations stay between. */
 constexpr double MinFocal = 1e-3;
 constexpr double MaxFocal = 1e4;        // almost parallel rays
-constexpr double MaxOffset = 1e3;       // of the principal point: a small part of a large picture
+constexpr double MaxOffset = 1e3;       // of the principal point: a small part of a large image
 constexpr double MaxSize = 1 << 20;     ///< pixels
 constexpr double MaxTranslation = 1e12; ///< world units
 
-/** The larger side of a picture, pixels, from what it is at least to what it is at most. */
+/** The larger side of an image, pixels, from what it is at least to what it is at most. */
 struct SizeRange
 {
   double Min;
@@ -46,7 +46,7 @@ void CheckRange(const char* what, double value, double least, double most, const
   }
 }
 
-/** Whether the numbers of a camera are plausible for pictures of this size. */
+/** Whether the numbers of a camera are plausible for images of this size. */
 void CheckRanges(const Camera& camera, const SizeRange& size, const std::string& where)
 {
   const Eigen::Matrix3d& K = camera.K;

@@ -59,12 +59,12 @@ struct Camera
 };
 
 /**
- * Throws Error when the camera is no camera: numbers not finite, K singular or not of the form
- * [fx s cx; 0 fy cy; 0 0 1] with positive focal lengths, R not a rotation (within 1e-3, which leaves
- * room for calibrations printed with few digits); or when it is implausible, so that computing with
- * it could overflow: with s the larger side of the picture, focal lengths outside [s/1000, 10000 s],
- * a principal point beyond 1000 s, |T| beyond 1e12. The size may be unknown: then s is any from 1 to
- * 2^20.
+ * Throws Error when the camera is invalid: numbers not finite, K singular or not of the form
+ * [fx s cx; 0 fy cy; 0 0 1] with positive focal lengths, R not a rotation (within 1e-3, which
+ * leaves room for calibrations printed with few digits); or when it is implausible, so that
+ * computing with it could overflow: with s the larger side of the image, focal lengths outside
+ * [s/1000, 10000 s], a principal point beyond 1000 s, |T| beyond 1e12. The size may be unknown:
+ * then s is any from 1 to 2^20.
  */
 void ValidateCalibration(const Camera& camera, const std::string& where);
 

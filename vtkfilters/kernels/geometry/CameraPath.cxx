@@ -60,7 +60,7 @@ double AngleBetween(const Matrix3d& a, const Matrix3d& b)
   return Eigen::AngleAxisd(a * b.transpose()).angle();
 }
 
-/** Turned in the picture's plane by the quarter turns that bring it nearest to another. */
+/** Turned in the image's plane by the quarter turns that bring it nearest to another. */
 Matrix3d QuarterTurnedTo(const Matrix3d& rotation, const Matrix3d& other)
 {
   Matrix3d best = rotation;

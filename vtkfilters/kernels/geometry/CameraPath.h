@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/** Where a camera that films the object goes: round a ring of cameras, or through key cameras. */
+/** The path of a moving camera: around a ring of cameras, or through key cameras. */
 #ifndef novelview_CameraPath_h
 #define novelview_CameraPath_h
 
@@ -17,7 +17,7 @@ namespace novelview
 struct CameraRing
 {
   Eigen::Vector3d Centre; ///< of the circle: on the axis, at the cameras' mean height
-  Eigen::Vector3d Axis;   ///< unit; up in the pictures, where that can be said
+  Eigen::Vector3d Axis;   ///< unit; up in the images, if defined
   Eigen::Vector3d Across; ///< unit, orthogonal to the axis: towards the first camera, angle 0
   double Radius = 0;      ///< world units
   double Sense = 1;       ///< 1 when the second camera is on the side of growing angles, else -1
@@ -50,7 +50,7 @@ struct KeyCamera
  * A smooth path through key cameras. Centres go along a cubic Hermite spline whose velocity is
  * continuous (at a key that of the parabola through it and its neighbours; natural ends), rotations
  * turn evenly from key to key the short way (slerp), K is interpolated linearly; the size is that
- * of the first key. A closed path goes on from the last key to the first in the mean time between
+ * of the first key. A closed path continues from the last key to the first in the mean time between
  * two keys.
  */
 class CameraPath

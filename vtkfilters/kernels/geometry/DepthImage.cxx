@@ -28,7 +28,7 @@ NOVELVIEW_CLONES void DrawTriangles(const std::vector<Eigen::Vector3i>& triangle
   }
 }
 
-/** Depths of a mesh in a picture, in one thread; `farthest` may be null. */
+/** Depths of a mesh in an image, in one thread; `farthest` may be null. */
 void DrawDepths(
   const TriangleMesh& mesh, const Camera& camera, Image<float>& nearest, Image<float>* farthest)
 {

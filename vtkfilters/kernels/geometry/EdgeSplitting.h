@@ -18,7 +18,7 @@ struct SplitMesh
 };
 
 /**
- * Cuts every edge that is longer than `longest` pixels in the camera's picture at its middle, once,
+ * Cuts every edge that is longer than `longest` pixels in the camera's image at its middle, once,
  * and with it the triangles it belongs to into two, three or four. Edges that two triangles share
  * are cut for both, so the mesh stays as closed as it was. Edges with an end at or behind the
  * camera's plane stay whole.

@@ -7,7 +7,7 @@
 namespace novelview
 {
 /**
- * What the connectivity of a triangle mesh says, coordinates aside.
+ * Topology of a triangle mesh, from its connectivity alone.
  *
  * An edge is manifold when exactly two triangles share it, a vertex when its triangles form one
  * closed (or, on a border, one open) fan.

@@ -32,7 +32,7 @@ struct ItemBuffer
  * Triangles of both orientations are drawn. Triangles with a corner at or behind the camera's plane
  * are left out.
  *
- * Exact in depth (1/z is linear in the picture) and the same bits for any number of threads.
+ * Exact in depth (1/z is linear in the image) and the same bits for any number of threads.
  */
 ItemBuffer Rasterise(
   const TriangleMesh& mesh, const Camera& camera, const Execution& execution = {});

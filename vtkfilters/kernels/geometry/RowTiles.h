@@ -73,7 +73,7 @@ public:
   const int Height;
 
 private:
-  /** The triangles are sorted in so many parts in parallel; each keeps the order of their ids. */
+  /** The triangles are sorted in this many parts in parallel; each keeps the order of their ids. */
   static constexpr int Parts = 16;
 
   struct Entry

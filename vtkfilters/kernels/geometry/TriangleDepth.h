@@ -13,7 +13,7 @@
 
 namespace novelview
 {
-/** Pictures to draw into, with up to three more pixels after the last one; null = not wanted. */
+/** Images to draw into, with up to three more pixels after the last one; null = not wanted. */
 struct RasterTarget
 {
   int Stride;
@@ -23,7 +23,7 @@ struct RasterTarget
   int* CellId = nullptr; ///< of the nearest
 };
 
-/** Draws a triangle's depths, four places at once. */
+/** Draws a triangle's depths, four pixels at a time. */
 class TriangleDepth
 {
   using Doubles [[gnu::vector_size(32)]] = double;

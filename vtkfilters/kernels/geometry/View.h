@@ -11,7 +11,7 @@
 namespace novelview
 {
 /**
- * One photograph with its calibration. Pixels are borrowed; an array that the data set does not
+ * One photograph with its calibration. Pixels are not owned; an array that the data set does not
  * have is an empty reference.
  */
 struct View

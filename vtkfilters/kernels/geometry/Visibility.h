@@ -5,7 +5,7 @@
 #include "core/Execution.h"
 #include "geometry/Camera.h"
 #include "geometry/TriangleMesh.h"
-#include "geometry/VisibilityParameters.h"
+#include "geometry/VisibilityOptions.h"
 
 #include <cstdint>
 #include <vector>
@@ -19,7 +19,7 @@ namespace novelview
  * `tolerance` times the diagonal of the mesh's bounding box.
  *
  * Vertices at or behind the camera's plane are invisible; a triangle with such a corner hides
- * nothing. Nothing is said of the frame: a vertex may be visible and outside the picture.
+ * nothing. The frame is ignored: a vertex may be visible and outside the image.
  *
  * Computed exactly by the definition: vertices are compared with just those triangles whose
  * projection overlaps theirs, found in a grid over the image plane. n log n, not n^2.
@@ -27,7 +27,7 @@ namespace novelview
  * @return one value per point, 1 = visible.
  */
 std::vector<std::uint8_t> VisibleVertices(const TriangleMesh& mesh, const Camera& camera,
-  double tolerance = VisibilityParameters::Tolerance.Default, const Execution& execution = {});
+  double tolerance = VisibilityOptions().Tolerance, const Execution& execution = {});
 
 /** Does the cone of triangle `cellId` hide vertex `pointId`? The definition, for tests. */
 bool HidesVertex(const TriangleMesh& mesh, const Camera& camera, int cellId, int pointId,

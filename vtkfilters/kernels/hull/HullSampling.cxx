@@ -32,7 +32,7 @@ struct Probe
 Vector3d FindCrossing(const SilhouetteField& field, Probe a, Probe b, double tolerance)
 {
   // Halving alone reaches the accuracy in 45 steps, unless the world's origin is so far away that
-  // points cannot be told apart so finely.
+  // points cannot be distinguished that finely.
   constexpr int MaxSteps = 100;
   for (int step = 1;
        step < MaxSteps && a.Value > tolerance && (b.Point - a.Point).norm() > tolerance; ++step)

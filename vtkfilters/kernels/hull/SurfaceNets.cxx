@@ -26,7 +26,7 @@ constexpr double MinDistance = 0.7;
 /** Normals are alike up to 60 degrees: the two sides of a thin sheet are not. */
 constexpr double LikeCosine = 0.5;
 
-/** Finds the samples of the cells at an offset from cells that are asked for in their order. */
+/** Finds the samples of the cells at an offset from cells that are requested in their order. */
 class OffsetCells
 {
 public:

@@ -10,6 +10,7 @@
 #include "silhouettes/SilhouetteField.h"
 
 #include <algorithm>
+#include <optional>
 #include <sstream>
 #include <string>
 
@@ -110,6 +111,19 @@ void KeepComponents(std::vector<CellSample>& samples, bool keepAll, VisualHullRe
     "cameras");
 }
 
+/** The search box of the options, if they have one that is not empty. */
+std::optional<Eigen::AlignedBox3d> GivenBox(const VisualHullOptions& options)
+{
+  if (!options.Box)
+  {
+    return {};
+  }
+  const Eigen::AlignedBox3d box(
+    Vector3d::Map(options.Box->data()), Vector3d::Map(options.Box->data() + 3));
+  const bool empty = !(box.min().array() < box.max().array()).all();
+  return empty ? std::optional<Eigen::AlignedBox3d>() : box;
+}
+
 void CheckInsideBox(const std::vector<CellSample>& samples, const VisualHullResult& result)
 {
   Eigen::AlignedBox3d extent;
@@ -138,9 +152,10 @@ VisualHullResult ComputeVisualHull(
 {
   VisualHullResult result;
   const SilhouetteField field(views);
-  result.Box = options.Box ? *options.Box : FindSearchBox(views);
+  const std::optional<Eigen::AlignedBox3d> given = GivenBox(options);
+  result.Box = given ? *given : FindSearchBox(views);
   result.Spacing = options.SpacingPx * FootprintAt(views, result.Box.center());
-  if (!options.Box)
+  if (!given)
   {
     // The found box touches the hull; leave room for the test that it does not.
     const Vector3d margin =

@@ -5,25 +5,14 @@
 #include "core/Execution.h"
 #include "geometry/TriangleMesh.h"
 #include "geometry/View.h"
-#include "hull/VisualHullParameters.h"
+#include "hull/VisualHullOptions.h"
 
 #include <Eigen/Geometry>
 
-#include <optional>
 #include <vector>
 
 namespace novelview
 {
-struct VisualHullOptions
-{
-  /** Edge of a lattice cell, in pixels of the photographs at the object's middle. */
-  double SpacingPx = VisualHullParameters::SpacingPx.Default;
-  /** Where to search; found from the silhouettes when not given. */
-  std::optional<Eigen::AlignedBox3d> Box;
-  /** Keep every component. Otherwise only the one with the most samples. */
-  bool KeepAllComponents = VisualHullParameters::KeepAllComponents;
-};
-
 struct VisualHullResult
 {
   OrientedPoints Samples;  ///< on f = 0, with outward unit normals

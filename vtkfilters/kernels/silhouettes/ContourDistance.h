@@ -13,10 +13,10 @@ namespace novelview
  * inside. One channel, the size of the mask.
  *
  * The contour is the 0.5 crossing of the mask (127.5 of 255) and is located to sub-pixel accuracy.
- * The mask may be binary or hold grey coverage at its rim. Between two neighbouring pixels of which
- * one is object and one is not, the crossing is
+ * The mask may be binary or contain grey coverage at its boundary. Between two neighbouring pixels
+ * of which one is object and one is not, the crossing is
  *
- *  - where the area under the coverage says, when the line through both falls monotonically from
+ *  - where the area under the coverage puts it, when the line through both falls monotonically from
  *    full to empty within three pixels either way: exact for a straight edge seen through any
  *    symmetric pixel filter, and the common side of the two pixels when the mask is binary;
  *  - the linear interpolation of the two otherwise (thin features, the frame).

@@ -42,7 +42,7 @@ std::optional<TangentPlane> TangentPlaneOf(const View& view, const Vector3d& poi
   {
     return std::nullopt;
   }
-  // The plane holds the ray to the contour, which is not the one to the point.
+  // The plane contains the ray to the contour, which is not the one to the point.
   const Vector2d inwards = gradient.normalized();
   const Vector2d contour = u - at(0, 0) * inwards;
   const Vector3d touched = view.Cam.Unproject(contour, depth);

@@ -13,10 +13,10 @@ namespace novelview
 {
 struct ContourPredictionOptions
 {
-  double MaxAngleDeg = 70;   ///< photographs are asked whose tangent plane is turned by no more
+  double MaxAngleDeg = 70;   ///< photographs are used whose tangent plane is turned by no more
   double MaxTilt = 0.2;      ///< and leaves the plane of viewing ray and normal by no more (sine)
   double MaxDistancePx = 40; ///< and in which the point is no further from the contour
-  int PerSide = 2;           ///< the nearest so many on either side of the novel view
+  int PerSide = 2;           ///< this many nearest ones on either side of the novel view
 };
 
 struct PredictedContour

@@ -18,12 +18,12 @@ using Eigen::Vector3d;
 
 constexpr int MaxSteps = 4096; ///< along a ray, whatever the cameras are
 
-/** What the other views say about a point. */
+/** The silhouettes of the other views at a point. */
 struct PointVerdict
 {
   double Min = std::numeric_limits<double>::infinity();
   double Second = std::numeric_limits<double>::infinity();
-  int MinId = -1; ///< index of the other view that says Min
+  int MinId = -1; ///< index of the other view with Min
   int Seen = 0;
   double Shortfall = 0; ///< without MinId: how far the point is from being any better
 };
@@ -214,7 +214,7 @@ private:
   Vector3d Direction;
   double Scale = 1; ///< q = 1/2 is so far along the ray
   std::vector<int> Ids;
-  std::vector<PictureLine> Lines; ///< in the picture of each
+  std::vector<PictureLine> Lines; ///< in the image of each
   std::size_t Asked = 0;
   double BestAt = 0;
 };

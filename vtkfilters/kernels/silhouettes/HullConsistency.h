@@ -12,7 +12,7 @@ namespace novelview
 {
 struct HullConsistencyOptions
 {
-  double StepPx = 0.5;      ///< how far apart a ray is sampled, in the picture where that is most
+  double StepPx = 0.5;      ///< how far apart a ray is sampled, in the image where that is most
   double FloorPx = 16;      ///< residuals are no worse than minus this
   double SeenShare = 0.5;   ///< part of the other views that must have a point in their frame
   bool WithoutEach = false; ///< also find Without, which takes several times as long
@@ -27,7 +27,7 @@ struct RayConsistency
    */
   float Residual = 0;
   Eigen::Vector3d Point = Eigen::Vector3d::Zero(); ///< where; only when it is above -FloorPx
-  /** Per view: the residual when that view is not asked; only with WithoutEach. */
+  /** Per view: the residual without that view; only with WithoutEach. */
   std::vector<float> Without;
 };
 
@@ -39,8 +39,8 @@ struct RayConsistency
  *
  * An object whose silhouette stays clear of a side of the frame does not go on beyond that side, and
  * it is in front of every camera: points there are outside by as much as they are outside the frame.
- * Beyond a side that the silhouette reaches a view says nothing; points that less than SeenShare of
- * the other views have in their frame do not count.
+ * Beyond a side that the silhouette reaches a view has no information; points that less than
+ * SeenShare of the other views have in their frame do not count.
  *
  * Views need Mask and ContourDistance, rays valid views. Throws Interrupted.
  */

@@ -16,7 +16,7 @@ namespace novelview
  * A view as a map from space to the distance to its contour. It sees what is in front of its camera
  * and inside its frame.
  *
- * Distances in the picture grow by at most a pixel per pixel that one moves in it, and bilinear
+ * Distances in the image grow by at most a pixel per pixel that one moves in it, and bilinear
  * sampling is off by up to another: all bounds here include that.
  */
 struct ContourView
@@ -47,7 +47,7 @@ struct ContourView
     return SampleBilinear(this->Distance, pixel.X, pixel.Y);
   }
 
-  /** How far a ball reaches in the picture from its centre's pixel; its depth is above its radius. */
+  /** How far a ball reaches in the image from its centre's pixel; its depth is above its radius. */
   double RadiusPx(double radius, double depth) const
   {
     return this->Stretch * radius * this->Focal / (depth - radius) + 1;
@@ -73,7 +73,7 @@ struct ContourView
  *
  * with d_v the signed contour distance (pixels, positive inside), so f is a signed length in world
  * units: the hull is f >= 0. A view does not see a point behind its camera or outside its frame;
- * it then says nothing about it. A point no view sees is outside.
+ * it then does not limit it. A point that no view sees is outside.
  *
  * Views need ContourDistance. The views (and their pixels) must outlive the field.
  */

@@ -9,7 +9,7 @@ using Eigen::Vector2d;
 
 namespace
 {
-/** Every pixel a condition holds for, thinned out to about `count`. */
+/** Every pixel that satisfies a condition, subsampled to about `count`. */
 template <class Condition>
 std::vector<SilhouetteRay> ThinnedPixels(
   const ImageRef<const float>& distance, int viewId, int count, const Condition& holds)

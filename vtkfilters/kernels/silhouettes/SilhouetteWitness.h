@@ -40,7 +40,7 @@ struct RayRange
   bool Empty() const { return !(this->From < this->To); }
 };
 
-/** A ray in a view's picture: h(q) = (1 - q) Start + q End, pixel h.head / h.z, q in [0, 1]. */
+/** A ray in a view's image: h(q) = (1 - q) Start + q End, pixel h.head / h.z, q in [0, 1]. */
 struct PictureLine
 {
   Eigen::Vector3d Start;
@@ -49,7 +49,7 @@ struct PictureLine
   Eigen::Vector3d At(double q) const { return (1 - q) * this->Start + q * this->End; }
 };
 
-/** A silhouette that can be asked about points. */
+/** A silhouette with queries for points. */
 class SilhouetteWitness
 {
 public:

@@ -21,7 +21,7 @@ using Eigen::Vector3d;
 constexpr int Neighbours = 4;         ///< photographs each is compared with
 constexpr int Every = 3;              ///< pixels compared, per direction
 constexpr double RimPx = 4;           ///< at the rim maps are wrong without being noisy
-constexpr std::size_t MinPoints = 50; ///< fewer tell nothing
+constexpr std::size_t MinPoints = 50; ///< fewer prove nothing
 
 /** A pixel of one map found again in another. */
 struct Match

@@ -3,7 +3,7 @@
 #define novelview_PlaneSweepCost_h
 
 #include "stereo/MatchImage.h"
-#include "stereo/ReferenceDepthParameters.h"
+#include "stereo/ReferenceDepthOptions.h"
 #include "stereo/ReferenceRows.h"
 
 #include <Eigen/Core>
@@ -13,16 +13,6 @@
 
 namespace novelview
 {
-struct MatchOptions
-{
-  int WindowRadius = ReferenceDepthParameters::WindowRadius.Default;
-  int BestNeighbours = 2; ///< the cost is the mean over the best so many
-  /** Of the truncated colour difference; the rest is correlation. */
-  double ColorShare = ReferenceDepthParameters::ColorShare.Default;
-  double ColorTruncation = 40; ///< grey levels
-  double Noise = 12;           ///< variance added to the correlation's denominators
-};
-
 /**
  * Window costs of one neighbour at one offset, row after row. Each row is sampled once; the sums
  * over the window's rows are kept per column as rows enter and leave. The sums are whole numbers,

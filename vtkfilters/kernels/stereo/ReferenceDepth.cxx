@@ -3,11 +3,13 @@
 
 #include "core/FillHolesIteratively.h"
 #include "core/ToInt.h"
+#include "fusion/TsdfField.h"
 #include "geometry/DepthImage.h"
 #include "geometry/ViewSelection.h"
 #include "stereo/DepthConfidence.h"
 #include "stereo/MaskedMedian.h"
 #include "stereo/NeighbourMatching.h"
+#include "stereo/SemiGlobal.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,17 +5,12 @@
 #include "core/Execution.h"
 #include "core/ImageRef.h"
 #include "stereo/CostVolume.h"
+#include "stereo/ReferenceDepthOptions.h"
 
 #include <cstdint>
 
 namespace novelview
 {
-struct SemiGlobalOptions
-{
-  double P1 = 0.03; ///< P1, between labels that differ by one
-  double P2 = 0.2;  ///< P2, between any others
-};
-
 /**
  * Semi-global matching (Hirschmueller 2008): adds up the least costs along eight directions.
  * Returns the sums in a volume of the same shape.
