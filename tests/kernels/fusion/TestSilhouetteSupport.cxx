@@ -18,7 +18,8 @@ const FusionOptions Outline{ 2, 0.05, 0.12 };
  */
 struct HollowCase
 {
-  explicit HollowCase(float confidence)
+  /** `scatter`: how far the claimed depths differ from pixel to pixel. */
+  explicit HollowCase(float confidence, float scatter = 0)
     : Views(TheDent().Views)
     , Depths(this->Views.size())
     , Confidences(this->Views.size(), TheDent().Confidence)
@@ -36,7 +37,7 @@ struct HollowCase
           if (depth > 0 &&
             photo.Cam.Unproject(Vector2d(x, y), depth).normalized().dot(middle) > 0.9)
           {
-            depth += 0.4f;
+            depth += 0.4f - scatter * static_cast<float>((7 * x + 3 * y + 5 * i) % 11) / 10;
             this->Confidences[i](x, y) = confidence;
           }
         }
@@ -46,11 +47,12 @@ struct HollowCase
     }
   }
 
-  std::vector<SupportPoint> Support(const Execution& execution = {}) const
+  std::vector<SupportPoint> Support(
+    const Execution& execution = {}, const SilhouetteSupportOptions& options = {}) const
   {
     const double footprint = MedianFootprint(this->Views, Vector3d::Zero());
     return FindSilhouetteSupport(this->Views, TsdfField(this->Views, Outline, footprint),
-      TheDent().Mesh, footprint, {}, execution);
+      TheDent().Mesh, footprint, options, execution);
   }
 
   /** The pixels that camera 0 shows of the object. */
@@ -105,6 +107,20 @@ TEST(SilhouetteSupport, WhereManyMapsAreSureTheyAreBelieved)
 {
   const HollowCase hollow(1);
   EXPECT_LT(hollow.Support().size(), 50u);
+}
+
+TEST(SilhouetteSupport, ScatteredPointsMakeNoSpikes)
+{
+  SilhouetteSupportOptions all;
+  all.MinAgreeing = 0;
+  all.AgreementPx = 1000;
+  const auto share = [&](const HollowCase& hollow)
+  {
+    return static_cast<double>(hollow.Support().size()) /
+      static_cast<double>(hollow.Support({}, all).size());
+  };
+  EXPECT_GT(share(HollowCase(0.15f)), 0.7);
+  EXPECT_LT(share(HollowCase(0.15f, 0.39f)), 0.5);
 }
 
 TEST(SilhouetteSupport, DoesNotDependOnThreads)

@@ -26,6 +26,7 @@ public:
     , Hull(RasteriseRange(hull, view.Cam))
     , Centre(view.Cam.Centre())
     , Looked(view.Cam.Width, view.Cam.Height)
+    , Depths(view.Cam.Width, view.Cam.Height)
   {
   }
 
@@ -43,7 +44,7 @@ public:
         }
       }
     }
-    return std::move(this->Points);
+    return this->AgreeingPoints();
   }
 
 private:
@@ -73,7 +74,7 @@ private:
     }
   }
 
-  /** Whether the ray of a pixel misses the object; then a point on it is asked for, or none. */
+  /** Whether the ray of a pixel misses the object; then a point on it may be asked for. */
   bool Misses(int x, int y)
   {
     const double front = this->Hull.Nearest(x, y);
@@ -92,11 +93,47 @@ private:
     if (this->Field.PriorNeeded(this->Centre, direction, from, to, step, 0) <=
       this->Options.MaxPrior)
     {
-      const double at =
-        this->Field.FindClosestApproach(this->Centre, direction, from, to, this->Footprint).At;
-      this->Points.push_back({ this->Centre + at * direction, this->Source.ContourDistance(x, y) });
+      this->Depths(x, y) = static_cast<float>(
+        this->Field.FindClosestApproach(this->Centre, direction, from, to, this->Footprint).At);
     }
     return true;
+  }
+
+  std::vector<SupportPoint> AgreeingPoints() const
+  {
+    std::vector<SupportPoint> points;
+    for (int y = 0; y < this->Depths.Height; ++y)
+    {
+      for (int x = 0; x < this->Depths.Width; ++x)
+      {
+        if (this->Depths(x, y) > 0 && this->Agrees(x, y))
+        {
+          points.push_back({ this->Source.Cam.Unproject(Vector2d(x, y), this->Depths(x, y)),
+            this->Source.ContourDistance(x, y) });
+        }
+      }
+    }
+    return points;
+  }
+
+  /** Whether enough of the points of the pixels around lie about as deep, and half of them. */
+  bool Agrees(int x, int y) const
+  {
+    int count = 0;
+    int agree = 0;
+    for (int j = y - 1; j <= y + 1; ++j)
+    {
+      for (int i = x - 1; i <= x + 1; ++i)
+      {
+        if ((i != x || j != y) && this->Depths.Ref().Contains(i, j) && this->Depths(i, j) > 0)
+        {
+          ++count;
+          agree += std::abs(this->Depths(i, j) - this->Depths(x, y)) <
+            this->Options.AgreementPx * this->Footprint;
+        }
+      }
+    }
+    return agree >= this->Options.MinAgreeing && 2 * agree >= count;
   }
 
   const View& Source;
@@ -107,7 +144,7 @@ private:
   const Vector3d Centre;
   Image<std::uint8_t> Looked;
   std::vector<std::pair<int, int>> Open;
-  std::vector<SupportPoint> Points;
+  Image<float> Depths; ///< of the points asked for; 0 = none
 };
 }
 

@@ -28,6 +28,8 @@ struct SilhouetteSupportOptions
    * the ray meet object: there several depth maps see clearly past the silhouette.
    */
   double MaxPrior = 1;
+  double AgreementPx = 4; ///< points of neighbouring pixels lie about as deep, pixel footprints;
+  int MinAgreeing = 1;    ///< so many of the eight around must, and half of those there are
 };
 
 /**
@@ -35,7 +37,8 @@ struct SilhouetteSupportOptions
  * silhouette meets the object somewhere (exact silhouette constraint, Sinha and Pollefeys 2005). At
  * thin parts and where there is little to match, depth maps are wrong together and the field says
  * that such a ray is free. The point of the ray that the maps contradict least is then a point of the
- * object.
+ * object, if those of the pixels around lie about as deep: scattered points say that the maps do not
+ * tell where on their rays the object is, and would be spikes.
  *
  * Views need ContourDistance, DepthMap and Confidence; `hull` is a closed mesh around the object.
  */
