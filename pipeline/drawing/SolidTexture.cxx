@@ -138,15 +138,44 @@ const char* SourceOf(const std::string& name)
   throw Error("texture", "there is no such texture", "\"" + name + "\"", Joined(TextureNames()));
 }
 
-// A key light from the upper right front, a weaker one from the left back, and sky over ground; all
-// in the object's frame, so that a surface keeps its brightness from one photograph to the next.
-constexpr const char* ShadeSource = R"(
+// A key light from the upper right front, a weaker one from the left back, and sky over ground. They
+// are fixed to the object's frame, so that a surface keeps its brightness from one photograph to the
+// next, or to that of the camera.
+constexpr const char* WorldLight = R"(
+vec3 KeyLight() { return normalize(vec3(0.55, 0.65, 0.75)); }
 float Shade(vec3 n)
 {
   float key = max(dot(n, normalize(vec3(0.55, 0.65, 0.75))), 0.0);
   float fill = max(dot(n, normalize(vec3(-0.75, 0.15, -0.45))), 0.0);
   return 0.56 + 0.08 * n.y + 0.36 * key + 0.18 * fill;
 }
+)";
+
+constexpr const char* RigLight = R"(
+vec3 WithRig(vec3 d)
+{
+  vec2 z = normalize(eye.xz + vec2(0.0, 1e-9));
+  return vec3(d.x * z.y + d.z * z.x, d.y, d.z * z.y - d.x * z.x);
+}
+vec3 KeyLight() { return WithRig(normalize(vec3(0.55, 0.65, 0.75))); }
+float Shade(vec3 n)
+{
+  float key = max(dot(n, KeyLight()), 0.0);
+  float fill = max(dot(n, WithRig(normalize(vec3(-0.75, 0.15, 0.45)))), 0.0);
+  return 0.36 + 0.08 * n.y + 0.62 * key + 0.16 * fill;
+}
+)";
+
+// `at` in the coordinates of the mesh, from the centre of its box.
+constexpr const char* GlossSource = R"(
+float Highlight(vec3 n, vec3 at)
+{
+  vec3 middle = normalize(KeyLight() + normalize(eye - at));
+  return gloss * pow(max(dot(n, middle), 0.0), 50.0);
+}
+)";
+
+constexpr const char* ShadowSource = R"(
 float ShadowAt(vec3 p)
 {
   float edge = p.y + 0.10 + 0.35 * p.x;
@@ -194,6 +223,19 @@ vtkSmartPointer<vtkPolyData> RenderedGeometry(vtkPolyData* mesh, double centre[3
   return geometry;
 }
 
+/** The colour of a pixel, in GLSL. */
+std::string ColourSource(const SurfaceLook& look)
+{
+  std::string colour = "SolidColour(place) * ";
+  colour += look.Lit ? "Shade(normalize(facing))" : "1.0";
+  colour += " * ShadowAt(place)";
+  if (look.Gloss > 0)
+  {
+    colour += " + Highlight(normalize(facing), place * diagonal)";
+  }
+  return look.Exposure == 1 ? colour : "exposure * (" + colour + ")";
+}
+
 void ReplaceShaders(vtkShaderProperty* shaders, const SurfaceLook& look)
 {
   shaders->AddVertexShaderReplacement("//VTK::PositionVC::Dec", true,
@@ -203,12 +245,11 @@ void ReplaceShaders(vtkShaderProperty* shaders, const SurfaceLook& look)
   shaders->AddVertexShaderReplacement("//VTK::PositionVC::Impl", true,
     "//VTK::PositionVC::Impl\n  place = placeMC;\n  facing = facingMC;\n", false);
   const std::string declarations = std::string("//VTK::PositionVC::Dec\nin vec3 place;\n") +
-    "in vec3 facing;\n" + NoiseSource + SourceOf(look.Texture) + ShadeSource;
+    "in vec3 facing;\n" + NoiseSource + SourceOf(look.Texture) +
+    (look.LitFromRig ? RigLight : WorldLight) + GlossSource + ShadowSource;
   shaders->AddFragmentShaderReplacement("//VTK::PositionVC::Dec", true, declarations, false);
-  const std::string shade = look.Lit ? "Shade(normalize(facing))" : "1.0";
-  const std::string body =
-    "  gl_FragData[0] = vec4(SolidColour(place) * " + shade + " * ShadowAt(place), 1.0);\n";
-  shaders->AddFragmentShaderReplacement("//VTK::Light::Impl", true, body, false);
+  shaders->AddFragmentShaderReplacement("//VTK::Light::Impl", true,
+    "  gl_FragData[0] = vec4(" + ColourSource(look) + ", 1.0);\n", false);
 }
 }
 
@@ -241,9 +282,24 @@ vtkSmartPointer<vtkActor> NewTexturedActor(
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   ReplaceShaders(actor->GetShaderProperty(), look);
-  actor->GetShaderProperty()->GetFragmentCustomUniforms()->SetUniformi("seed", look.Seed);
+  vtkUniforms* uniforms = actor->GetShaderProperty()->GetFragmentCustomUniforms();
+  uniforms->SetUniformi("seed", look.Seed);
+  uniforms->SetUniformf("gloss", static_cast<float>(look.Gloss));
+  uniforms->SetUniformf("exposure", static_cast<float>(look.Exposure));
+  uniforms->SetUniformf(
+    "diagonal", static_cast<float>(vtkBoundingBox(mesh->GetBounds()).GetDiagonalLength()));
   SetShadow(actor, 0);
+  const double front[3] = { 0, 0, 1 };
+  SetEye(actor, front);
   return actor;
+}
+
+//------------------------------------------------------------------------------
+void SetEye(vtkActor* texturedActor, const double eyeFromCentre[3])
+{
+  const float eye[3] = { static_cast<float>(eyeFromCentre[0]), static_cast<float>(eyeFromCentre[1]),
+    static_cast<float>(eyeFromCentre[2]) };
+  texturedActor->GetShaderProperty()->GetFragmentCustomUniforms()->SetUniform3f("eye", eye);
 }
 
 //------------------------------------------------------------------------------

@@ -18,8 +18,12 @@ const std::vector<std::string>& TextureNames();
 struct SurfaceLook
 {
   std::string Texture = "wood"; ///< one of TextureNames()
-  bool Lit = true;              ///< mild light, fixed to the object's world; otherwise colour alone
+  bool Lit = true;              ///< shaded by light; otherwise colour alone
   int Seed = 0;                 ///< moves the texture
+  /** Strong light that goes with the camera, as the object turns under lamps on a turntable. */
+  bool LitFromRig = false;
+  double Gloss = 0;    ///< strength of a highlight (Blinn and Phong), 1 = white
+  double Exposure = 1; ///< factor of all colours before they are clipped
 };
 
 /**
@@ -36,6 +40,12 @@ struct SurfaceLook
  */
 vtkSmartPointer<vtkActor> NewTexturedActor(
   vtkPolyData* mesh, const SurfaceLook& look, double centre[3]);
+
+/**
+ * Where the camera is, in the coordinates of the mesh: it places highlights and the light of
+ * SurfaceLook::LitFromRig, which turns about the y axis with it.
+ */
+void SetEye(vtkActor* texturedActor, const double eyeFromCentre[3]);
 
 /**
  * Lets a shadow fall on the lower part of the object: `darkness` is the fraction of light taken

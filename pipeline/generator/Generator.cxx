@@ -16,6 +16,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include <vtkNew.h>
@@ -42,10 +43,26 @@ cv::Mat Wrap(Image<std::uint8_t>& image)
   return cv::Mat(image.Height, image.Width, CV_8UC(image.Channels), image.Values.data());
 }
 
-/** Gain and noise of one photograph. */
+/** Darkens towards the corners, in which `share` of the brightness is missing. */
+void Vignette(cv::Mat& pixels, double share)
+{
+  const double cx = (pixels.cols - 1) / 2.0;
+  const double cy = (pixels.rows - 1) / 2.0;
+  for (int y = 0; y < pixels.rows; ++y)
+  {
+    for (int x = 0; x < pixels.cols; ++x)
+    {
+      const double fromCentre = ((x - cx) * (x - cx) + (y - cy) * (y - cy)) / (cx * cx + cy * cy);
+      pixels.at<cv::Vec3f>(y, x) *= static_cast<float>(1 - share * fromCentre);
+    }
+  }
+}
+
+/** Lens and sensor of one photograph: blur, vignetting, gain, noise. */
 void SpoilColors(Image<std::uint8_t>& color, const GeneratorOptions& options, int viewId)
 {
-  if (options.GainSpread == 0 && options.NoiseSigma == 0)
+  if (options.GainSpread == 0 && options.NoiseSigma == 0 && options.DefocusPx == 0 &&
+    options.Vignetting == 0)
   {
     return;
   }
@@ -55,10 +72,29 @@ void SpoilColors(Image<std::uint8_t>& color, const GeneratorOptions& options, in
   cv::Mat pixels = Wrap(color);
   cv::Mat spoilt;
   pixels.convertTo(spoilt, CV_32FC3, gain);
+  if (options.DefocusPx > 0)
+  {
+    cv::GaussianBlur(spoilt, spoilt, cv::Size(), options.DefocusPx, 0, cv::BORDER_REPLICATE);
+  }
+  if (options.Vignetting > 0)
+  {
+    Vignette(spoilt, options.Vignetting);
+  }
   cv::Mat noise(spoilt.size(), CV_32FC3);
   random.fill(noise, cv::RNG::NORMAL, 0.0, options.NoiseSigma);
   spoilt += noise;
   spoilt.convertTo(pixels, CV_8UC3);
+}
+
+/** What is left of the pixels in a JPEG file. */
+void CompressAsJpeg(Image<std::uint8_t>& color, int quality)
+{
+  cv::Mat pixels = Wrap(color);
+  cv::Mat bgr;
+  cv::cvtColor(pixels, bgr, cv::COLOR_RGB2BGR);
+  std::vector<std::uint8_t> file;
+  cv::imencode(".jpg", bgr, file, { cv::IMWRITE_JPEG_QUALITY, quality });
+  cv::cvtColor(cv::imdecode(file, cv::IMREAD_COLOR), pixels, cv::COLOR_BGR2RGB);
 }
 
 /**
@@ -101,6 +137,10 @@ RenderedPhotograph TakeView(SyntheticRenderer& photographer, const Camera& camer
   const double shadow = Contains(options.ShadowViews, viewId) ? options.ShadowDarkness : 0;
   RenderedPhotograph photograph = photographer.Take(camera, shadow);
   SpoilColors(photograph.Color, options, viewId);
+  if (options.JpegQuality > 0)
+  {
+    CompressAsJpeg(photograph.Color, options.JpegQuality);
+  }
   if (options.Masks == "threshold")
   {
     photograph.Coverage = ThresholdedMask(photograph.Color);
@@ -111,6 +151,12 @@ RenderedPhotograph TakeView(SyntheticRenderer& photographer, const Camera& camer
     ErodeMask(photograph.Coverage, options.MaskErodePx);
   }
   return photograph;
+}
+
+SurfaceLook LookOf(const GeneratorOptions& options)
+{
+  return { options.Texture, options.Lit, options.Seed, options.Light == "rig", options.Gloss,
+    options.Exposure };
 }
 
 /** One camera with the name of its picture. */
@@ -156,16 +202,20 @@ std::string PictureName(const std::string& stem, std::size_t id)
 std::string OptionsText(const GeneratorOptions& options)
 {
   const nlohmann::ordered_json json = { { "mesh", options.Mesh.empty() ? "bunny" : options.Mesh },
-    { "texture", options.Texture }, { "lit", options.Lit }, { "seed", options.Seed },
+    { "texture", options.Texture }, { "lit", options.Lit }, { "light", options.Light },
+    { "gloss", options.Gloss }, { "exposure", options.Exposure }, { "seed", options.Seed },
     { "views", options.Views }, { "step", options.StepDeg }, { "elevation", options.ElevationDeg },
-    { "size", { options.Width, options.Height } }, { "field_of_view", options.FieldOfViewDeg },
-    { "fill", options.Fill }, { "supersampling", options.Supersampling },
-    { "test_angles", options.TestAnglesDeg }, { "gain_spread", options.GainSpread },
-    { "noise_sigma", options.NoiseSigma }, { "calibration_noise", options.CalibrationNoisePx },
-    { "mask_erode", options.MaskErodePx }, { "mask_erode_views", options.MaskErodeViews },
-    { "frame_shift", options.FrameShift }, { "frame_shift_views", options.FrameShiftViews },
-    { "shadow_views", options.ShadowViews }, { "shadow_darkness", options.ShadowDarkness },
-    { "masks", options.Masks } };
+    { "second_ring", options.SecondRingDeg }, { "size", { options.Width, options.Height } },
+    { "field_of_view", options.FieldOfViewDeg }, { "fill", options.Fill },
+    { "supersampling", options.Supersampling }, { "test_angles", options.TestAnglesDeg },
+    { "gain_spread", options.GainSpread }, { "noise_sigma", options.NoiseSigma },
+    { "calibration_noise", options.CalibrationNoisePx },
+    { "principal_noise", options.PrincipalNoisePx }, { "focal_noise", options.FocalNoise },
+    { "defocus", options.DefocusPx }, { "vignetting", options.Vignetting },
+    { "jpeg", options.JpegQuality }, { "mask_erode", options.MaskErodePx },
+    { "mask_erode_views", options.MaskErodeViews }, { "frame_shift", options.FrameShift },
+    { "frame_shift_views", options.FrameShiftViews }, { "shadow_views", options.ShadowViews },
+    { "shadow_darkness", options.ShadowDarkness }, { "masks", options.Masks } };
   return DumpJson(json) + "\n";
 }
 
@@ -257,7 +307,7 @@ void WriteOverview(const fs::path& path, vtkPolyData* mesh, const Rig& rig,
   picture.Title = ObjectName(options.Mesh) + ", " + options.Texture + ", photographs of " +
     SizeText(options.Width, options.Height);
   picture.Mesh = mesh;
-  picture.Look = { options.Texture, options.Lit, options.Seed };
+  picture.Look = LookOf(options);
   picture.Views = rig.Views;
   picture.Photographs = std::move(photographs);
   picture.HeldOut = rig.Tests;
@@ -293,8 +343,7 @@ void GenerateDataset(
   vtkSmartPointer<vtkPolyData> mesh = LoadObject(options.Mesh);
   const Rig rig = MakeRig(mesh, options);
   RequireWritable(out);
-  SyntheticRenderer photographer(
-    mesh, { options.Texture, options.Lit, options.Seed }, options.Supersampling);
+  SyntheticRenderer photographer(mesh, LookOf(options), options.Supersampling);
   WritePly(out / "truth.ply", mesh);
   report("photographs", 2);
   const auto photographs =

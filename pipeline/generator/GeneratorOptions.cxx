@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/GeneratorOptions.h"
 
+#include "base/NumberText.h"
 #include "core/Error.h"
 #include "drawing/SolidTexture.h"
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -35,12 +37,21 @@ OptionTable OptionsOf(GeneratorOptions& options)
       "", object, &options.Mesh },
     { "texture", "solid texture", "", object, &options.Texture, -Unlimited, Unlimited,
       TextureNames() },
-    { "lit", "mild light fixed to the world instead of colours alone", "", object, &options.Lit },
+    { "lit", "shaded by light instead of colours alone", "", object, &options.Lit },
+    { "light",
+      "where the light is: mild and fixed to the object, or strong and going with the cameras, as "
+      "when the object stands on a turntable",
+      "", object, &options.Light, -Unlimited, Unlimited, { "world", "rig" } },
+    { "gloss", "strength of highlights; 1 = white", "", object, &options.Gloss, 0, 10 },
+    { "exposure", "factor of all brightness; more than white is clipped", "", object,
+      &options.Exposure, 0.01, 100 },
     { "seed", "moves the texture and draws the noise", "", object, &options.Seed },
     { "views", "photographs", "", rig, &options.Views, 1, 10000 },
     { "step", "angle between neighbouring cameras", "deg", rig, &options.StepDeg, -360, 360 },
     // At the pole "up in the image" would mean nothing.
     { "elevation", "cameras above the horizon", "deg", rig, &options.ElevationDeg, -89, 89 },
+    { "secondRing", "every second camera is so much higher", "deg", rig, &options.SecondRingDeg,
+      -178, 178 },
     { "size", "size of the photographs, WIDTHxHEIGHT", "px", rig,
       SizeTarget{ &options.Width, &options.Height }, 16, 16384 },
     { "fieldOfView", "vertical field of view", "deg", rig, &options.FieldOfViewDeg, 1, 150 },
@@ -54,6 +65,15 @@ OptionTable OptionsOf(GeneratorOptions& options)
       &options.NoiseSigma, 0, 255 },
     { "calibrationNoise", "written rotations are off by about this", "px", faults,
       &options.CalibrationNoisePx, 0, 100 },
+    { "principalNoise", "written principal points are off by about this", "px", faults,
+      &options.PrincipalNoisePx, 0, 100 },
+    { "focalNoise", "written focal lengths are off by about this share", "", faults,
+      &options.FocalNoise, 0, 0.5 },
+    { "defocus", "sigma of a blur", "px", faults, &options.DefocusPx, 0, 50 },
+    { "vignetting", "share of the brightness that is missing in the corners", "", faults,
+      &options.Vignetting, 0, 1 },
+    { "jpeg", "compress as a JPEG of this quality; 0 = not", "", faults, &options.JpegQuality, 0,
+      100 },
     { "maskErode", "masks shrunk by this; negative: grown", "px", faults, &options.MaskErodePx,
       -1000, 1000 },
     { "maskErodeViews", "which masks; all when not given", "", faults, &options.MaskErodeViews, 0,
@@ -75,6 +95,12 @@ void ValidateGeneratorOptions(const GeneratorOptions& options)
 {
   GeneratorOptions copy = options;
   CheckValues(OptionsOf(copy), "generate");
+  if (std::abs(options.ElevationDeg + options.SecondRingDeg) > 89)
+  {
+    throw Error("generate", "the second ring is out of range",
+      Formatted("%g degrees above the horizon", options.ElevationDeg + options.SecondRingDeg),
+      "-89 to 89");
+  }
   CheckViewIds("view of the mask erosion", options.MaskErodeViews, options.Views);
   CheckViewIds("view of the frame shift", options.FrameShiftViews, options.Views);
   CheckViewIds("view of the shadow", options.ShadowViews, options.Views);

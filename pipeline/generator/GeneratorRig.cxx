@@ -85,9 +85,17 @@ void ShiftFrames(std::vector<Camera>& cameras, const GeneratorOptions& options)
   }
 }
 
+/** How high a photograph's camera is; held-out views are on the first ring. */
+double ElevationDegOf(std::size_t camera, const GeneratorOptions& options)
+{
+  const bool second = camera < static_cast<std::size_t>(options.Views) && camera % 2 == 1;
+  return options.ElevationDeg + (second ? options.SecondRingDeg : 0);
+}
+
 void DisturbCalibration(std::vector<Camera>& cameras, const GeneratorOptions& options)
 {
   cv::RNG random(0x9E3779B97F4A7C15ull ^ static_cast<std::uint64_t>(options.Seed));
+  cv::RNG lens(0xD1B54A32D192ED03ull ^ static_cast<std::uint64_t>(options.Seed));
   for (Camera& camera : cameras)
   {
     Eigen::Vector3d turn;
@@ -99,6 +107,11 @@ void DisturbCalibration(std::vector<Camera>& cameras, const GeneratorOptions& op
     {
       camera = Turned(camera, Eigen::AngleAxisd(turn.norm(), turn.normalized()));
     }
+    const double focal = 1 + lens.gaussian(options.FocalNoise);
+    camera.K(0, 0) *= focal;
+    camera.K(1, 1) *= focal;
+    camera.K(0, 2) += lens.gaussian(options.PrincipalNoisePx);
+    camera.K(1, 2) += lens.gaussian(options.PrincipalNoisePx);
   }
 }
 }
@@ -124,19 +137,19 @@ Rig MakeRig(vtkPolyData* mesh, const GeneratorOptions& options)
   }
   anglesDeg.insert(anglesDeg.end(), options.TestAnglesDeg.begin(), options.TestAnglesDeg.end());
   double distance = 0;
-  for (const double angleDeg : anglesDeg)
+  for (std::size_t i = 0; i < anglesDeg.size(); ++i)
   {
-    distance =
-      std::max(distance, DistanceToFit(points, Outwards(angleDeg, options.ElevationDeg), options));
+    distance = std::max(
+      distance, DistanceToFit(points, Outwards(anglesDeg[i], ElevationDegOf(i, options)), options));
   }
 
   Rig rig;
-  for (const double angleDeg : anglesDeg)
+  for (std::size_t i = 0; i < anglesDeg.size(); ++i)
   {
-    const Camera camera = LookAt(centre + distance * Outwards(angleDeg, options.ElevationDeg),
-      centre, Eigen::Vector3d::UnitY(), CameraMatrix(options), options.Width, options.Height);
-    const bool isView = rig.Views.size() < static_cast<std::size_t>(options.Views);
-    (isView ? rig.Views : rig.Tests).push_back(camera);
+    const Eigen::Vector3d outwards = Outwards(anglesDeg[i], ElevationDegOf(i, options));
+    const Camera camera = LookAt(centre + distance * outwards, centre, Eigen::Vector3d::UnitY(),
+      CameraMatrix(options), options.Width, options.Height);
+    (i < static_cast<std::size_t>(options.Views) ? rig.Views : rig.Tests).push_back(camera);
   }
   ShiftFrames(rig.Views, options);
   rig.Written = rig.Views;

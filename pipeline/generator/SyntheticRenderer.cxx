@@ -151,6 +151,8 @@ RenderedPhotograph SyntheticRenderer::Take(const Camera& camera, double shadow)
   ValidateCamera(camera, "photograph");
   const std::array<double, 2> range = this->Impl->DepthRange(camera);
   SetShadow(this->Impl->Actor, shadow);
+  const Eigen::Vector3d eye = camera.Centre() - this->Impl->Centre;
+  SetEye(this->Impl->Actor, eye.data());
 
   const int tileSide = std::max(1, TileSamples / this->Impl->Scale);
   const int tileWidth = std::min(tileSide, camera.Width);

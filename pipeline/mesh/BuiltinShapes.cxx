@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace novelview
@@ -125,6 +126,29 @@ double Torus(const Point& p)
   return std::hypot(std::hypot(p.x(), p.y()) - 0.7, p.z()) - 0.28;
 }
 
+/** A block of thin struts along all three axes, behind each other in every view. */
+double Lattice(const Point& p)
+{
+  constexpr double radius = 0.05;
+  double field = 10;
+  for (const double a : { -1.0, 0.0, 1.0 })
+  {
+    for (const double b : { -1.0, 0.0, 1.0 })
+    {
+      const double y = 0.75 * a;
+      const double z = 0.5 * b;
+      const double x = 0.9 * a;
+      for (const auto& [from, to] : { std::pair(Point(-0.9, y, z), Point(0.9, y, z)),
+             std::pair(Point(x, -0.75, z), Point(x, 0.75, z)),
+             std::pair(Point(x, 0.75 * b, -0.5), Point(x, 0.75 * b, 0.5)) })
+      {
+        field = SmoothUnion(field, Rod(p, from, to, radius, radius), 0.02);
+      }
+    }
+  }
+  return field;
+}
+
 /** The zero surface of a field in [-1.2, 1.2]^3, on a grid of this many steps. */
 vtkSmartPointer<vtkPolyData> Surface(const Field& field, int steps)
 {
@@ -219,6 +243,10 @@ vtkSmartPointer<vtkPolyData> MakeBuiltinShape(const std::string& name)
   if (name == "stool")
   {
     return Surface(Stool, 160); // a grid step of 0.015 against rungs 0.06 thick
+  }
+  if (name == "lattice")
+  {
+    return Surface(Lattice, 160);
   }
   if (name == "bust")
   {

@@ -10,8 +10,8 @@
 namespace novelview
 {
 /**
- * A test object made by formula, about two units across, y up, closed: "part", "stool", "bust" or
- * "torus". Null when the name is none of these.
+ * A test object made by formula, about two units across, y up, closed: "part", "stool", "lattice",
+ * "bust" or "torus". Null when the name is none of these.
  */
 vtkSmartPointer<vtkPolyData> MakeBuiltinShape(const std::string& name);
 }

@@ -113,7 +113,8 @@ vtkSmartPointer<vtkPolyData> Bare(vtkPolyData* mesh)
 //------------------------------------------------------------------------------
 const std::vector<std::string>& BuiltinObjects()
 {
-  static const std::vector<std::string> names = { "bunny", "part", "stool", "bust", "torus" };
+  static const std::vector<std::string> names = { "bunny", "part", "stool", "lattice", "bust",
+    "torus" };
   return names;
 }
 

@@ -12,8 +12,8 @@ namespace novelview
 {
 /**
  * The built-in objects, all closed: "bunny" (the Stanford bunny of Debian's glmark2-data), "part"
- * (a block with flat faces, sharp edges and a through hole), "stool" (thin legs), "bust" (a smooth
- * head with concavities), "torus".
+ * (a block with flat faces, sharp edges and a through hole), "stool" (thin legs), "lattice" (thin struts
+ * behind each other), "bust" (a smooth head with concavities), "torus".
  */
 const std::vector<std::string>& BuiltinObjects();
 
