@@ -55,7 +55,11 @@ void AttachComparisons(vtkMultiBlockDataSet* output, const novelview::TriangleMe
   novelview::AttachSupport(output,
     novelview::FindSilhouetteSupport(
       views, novelview::TsdfField(views, outline, footprint), hull, footprint, {}, execution));
-  const std::vector<double> gains = novelview::ExposureGains(views, footprint, execution);
+  std::vector<double> gains = novelview::ExposureGains(views, footprint, execution);
+  if (!novelview::GainsPredictBetter(views, gains, footprint, execution))
+  {
+    gains.assign(gains.size(), 1);
+  }
   for (unsigned int viewId = 0; viewId < views.size(); ++viewId)
   {
     novelview::AttachNumber(

@@ -174,6 +174,7 @@ private:
     }
     this->RunScene();
     this->WarnOfHull();
+    this->WarnOfGains();
     if (!this->Cache || this->Stored)
     {
       return;
@@ -369,6 +370,29 @@ private:
       this->Warn("visual hull: " + std::to_string(dropped) + " smaller component(s) with " +
         std::to_string(this->Filters.HullSource->GetNumberOfDroppedSamples()) +
         " samples left out; --hull-keep-all keeps them");
+    }
+  }
+
+  /** Reports photographs that are brought to one exposure. */
+  void WarnOfGains()
+  {
+    if (!this->Options.UseDepthMaps || !this->Options.Texture.UseGains)
+    {
+      return;
+    }
+    vtkMultiBlockDataSet* views = this->Filters.DepthEstimator->GetOutput();
+    double least = 1;
+    double most = 1;
+    for (unsigned int viewId = 0; viewId < views->GetNumberOfBlocks(); ++viewId)
+    {
+      const double gain = AttachedNumber(ViewImage(views, viewId), arrays::ExposureGain, 1);
+      least = std::min(least, gain);
+      most = std::max(most, gain);
+    }
+    if (least < most)
+    {
+      this->Warn("exposures differ by up to " + Formatted("%.0f %%", 100 * (most / least - 1)) +
+        "; photographs are brought to their mean; --no-exposure-gains keeps them as they are");
     }
   }
 

@@ -116,11 +116,11 @@ TEST(ReferenceDepthEstimator, AttachesWhatTheMapsTellOfEachOther)
   prior.Fusion = OptionsForNoise(noise).Outline;
   EXPECT_EQ(AttachedNumber(output, arrays::SilhouettePrior, -1),
     FindSilhouettePrior(views, sphere.Hull, prior));
-  const auto gains = ExposureGains(views, footprint);
   for (unsigned int viewId = 0; viewId < views.size(); ++viewId)
   {
-    EXPECT_EQ(AttachedNumber(ViewImage(output, viewId), arrays::ExposureGain, -1), gains[viewId]);
-    EXPECT_EQ(views[viewId].Gain, gains[viewId]);
+    // The exposures are the same; what is measured beyond that would predict nothing.
+    EXPECT_EQ(AttachedNumber(ViewImage(output, viewId), arrays::ExposureGain, -1), 1);
+    EXPECT_EQ(views[viewId].Gain, 1);
     EXPECT_FALSE(ViewImage(sphere.Blocks, viewId)->GetFieldData()->HasArray(arrays::ExposureGain))
       << "the input is left alone";
   }

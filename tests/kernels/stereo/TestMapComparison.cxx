@@ -139,6 +139,40 @@ TEST(ExposureGains, KnownGainsComeBackRelativeToTheirMean)
   EXPECT_NEAR(GeometricMean(found), 1, 1e-12);
 }
 
+TEST(GainsPredictBetter, WhenExposuresDiffer)
+{
+  Scene scene = WavyBall();
+  const std::vector<double> gains{ 1.1, 0.95, 1.02, 0.9, 1.07, 0.92, 1, 1.09, 0.97, 1.04, 0.91,
+    0.99 };
+  for (std::size_t i = 0; i < gains.size(); ++i)
+  {
+    Expose(scene.Photos[i], gains[i]);
+  }
+  EXPECT_TRUE(
+    GainsPredictBetter(scene.Views(), ExposureGains(scene.Views(), Footprint), Footprint));
+}
+
+TEST(GainsPredictBetter, NotWhenBrightnessGoesWithTheDirection)
+{
+  // From one side, brighter from view to view: as under a lamp that does not turn with the object.
+  Scene scene(TakeAll(Sphere(Vector3d::Zero(), 0.5), Waves(0.4), Ring(12, 10)));
+  for (std::size_t i = 0; i < scene.Photos.size(); ++i)
+  {
+    Expose(scene.Photos[i], 0.85 + 0.025 * static_cast<double>(i));
+  }
+  const auto gains = ExposureGains(scene.Views(), Footprint);
+  EXPECT_NEAR(gains.back() / gains.front(), 1.125 / 0.85, 0.02);
+  EXPECT_FALSE(GainsPredictBetter(scene.Views(), gains, Footprint));
+}
+
+TEST(GainsPredictBetter, NotWhenThereIsNothingToPredict)
+{
+  EXPECT_FALSE(GainsPredictBetter({}, {}, Footprint));
+  const Scene exact = WavyBall();
+  EXPECT_FALSE(
+    GainsPredictBetter(exact.Views(), ExposureGains(exact.Views(), Footprint), Footprint));
+}
+
 TEST(ExposureGains, ASlowDriftOverManyPhotographsComesBack)
 {
   // Pairs of neighbours differ by half a percent at most; only together they tell of ten percent.

@@ -22,6 +22,8 @@ constexpr int Neighbours = 4;         ///< photographs each is compared with
 constexpr int Every = 3;              ///< pixels compared, per direction
 constexpr double RimPx = 4;           ///< at the rim maps are wrong without being noisy
 constexpr std::size_t MinPoints = 50; ///< fewer prove nothing
+/** By how much gains must improve the prediction; lamps that do not turn along improve it, too. */
+constexpr double MinImprovement = 0.05;
 
 /** A pixel of one map found again in another. */
 struct Match
@@ -94,6 +96,12 @@ double Brightness(const View& view, const Vector2d& pixel)
   return sum > 15 && sum < 240 ? sum : 0;
 }
 
+/** Whether a point found again is the same surface, so that its colours can be compared. */
+bool IsSameSurface(const Match& match, double footprint)
+{
+  return std::abs(match.Difference) < 2 * footprint && match.Confidence > 0.2;
+}
+
 /** The logarithmic ratios of two photographs' brightness at the points both show. */
 std::vector<double> LogRatios(const View& view, const View& other, double footprint)
 {
@@ -103,13 +111,65 @@ std::vector<double> LogRatios(const View& view, const View& other, double footpr
     {
       const double own = Brightness(view, Vector2d(x, y));
       const double others = Brightness(other, match.Pixel);
-      if (std::abs(match.Difference) < 2 * footprint && match.Confidence > 0.2 && own > 0 &&
-        others > 0)
+      if (IsSameSurface(match, footprint) && own > 0 && others > 0)
       {
         ratios.push_back(std::log(own / others));
       }
     });
   return ratios;
+}
+
+/** Sums of squared errors of a prediction: with the photographs as they are, and with gains. */
+struct PredictionErrors
+{
+  double AsTheyAre = 0;
+  double WithGains = 0;
+};
+
+/** Predicts the brightness of one photograph's pixels by the blend of what its neighbours show. */
+PredictionErrors PredictPhotograph(const std::vector<View>& views, std::size_t viewId,
+  const std::vector<int>& neighbours, const std::vector<double>& gains, double footprint)
+{
+  struct Blend
+  {
+    double Weight = 0;
+    double AsTheyAre = 0;
+    double WithGains = 0;
+  };
+  const View& view = views[viewId];
+  Image<Blend> blends(view.DepthMap.Width, view.DepthMap.Height);
+  for (const int j : neighbours)
+  {
+    const double cosine = view.Cam.OpticalAxis().dot(views[j].Cam.OpticalAxis());
+    const double weight = std::pow(std::max(cosine, 0.0), 16);
+    ForEachMatch(view, views[j],
+      [&](int x, int y, const Match& match)
+      {
+        const double brightness = Brightness(views[j], match.Pixel);
+        if (IsSameSurface(match, footprint) && brightness > 0)
+        {
+          Blend& blend = blends(x, y);
+          blend.Weight += weight;
+          blend.AsTheyAre += weight * brightness;
+          blend.WithGains += weight * brightness / gains[j];
+        }
+      });
+  }
+  PredictionErrors errors;
+  for (int y = 0; y < blends.Height; y += Every)
+  {
+    for (int x = 0; x < blends.Width; x += Every)
+    {
+      const Blend& blend = blends(x, y);
+      const double own = blend.Weight > 0 ? Brightness(view, Vector2d(x, y)) : 0;
+      if (own > 0)
+      {
+        errors.AsTheyAre += std::pow(blend.AsTheyAre / blend.Weight - own, 2);
+        errors.WithGains += std::pow(blend.WithGains / blend.Weight - own, 2);
+      }
+    }
+  }
+  return errors;
 }
 }
 
@@ -186,5 +246,22 @@ std::vector<double> ExposureGains(
   std::transform(
     logGains.begin(), logGains.end(), gains.begin(), [](double value) { return std::exp(value); });
   return gains;
+}
+
+bool GainsPredictBetter(const std::vector<View>& views, const std::vector<double>& gains,
+  double footprint, const Execution& execution)
+{
+  const auto neighbours = NearestNeighbours(views, Neighbours);
+  std::vector<PredictionErrors> perView(views.size());
+  execution.ForEach(static_cast<std::int64_t>(views.size()),
+    [&](std::int64_t i)
+    { perView[i] = PredictPhotograph(views, i, neighbours[i], gains, footprint); });
+  PredictionErrors sum;
+  for (const PredictionErrors& each : perView)
+  {
+    sum.AsTheyAre += each.AsTheyAre;
+    sum.WithGains += each.WithGains;
+  }
+  return sum.WithGains < (1 - MinImprovement) * sum.AsTheyAre;
 }
 }

@@ -30,6 +30,18 @@ double DepthNoise(
  */
 std::vector<double> ExposureGains(
   const std::vector<View>& views, double footprint, const Execution& execution = {});
+
+/**
+ * Whether the photographs predict each other clearly better when each is divided by its gain. Different
+ * exposures say nothing about the next photograph; brightness that changes with the direction, as
+ * under lamps that do not turn with the object, is predicted by the neighbours as they are, and gains
+ * would take it away. Each photograph is predicted by the blend of those nearest to it, where their
+ * maps agree, at the mean exposure.
+ *
+ * Views need what ExposureGains() needs.
+ */
+bool GainsPredictBetter(const std::vector<View>& views, const std::vector<double>& gains,
+  double footprint, const Execution& execution = {});
 }
 
 #endif
