@@ -13,6 +13,7 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 
+#include <algorithm>
 #include <optional>
 
 vtkStandardNewMacro(vtkViewDependentTextureMapper);
@@ -63,6 +64,22 @@ int vtkViewDependentTextureMapper::RequestInformation(
   return 1;
 }
 
+namespace
+{
+/** A soft occlusion test by depth maps is at least as soft as the maps are noisy. */
+double SoftnessOf(const novelview::TextureOptions& options, vtkMultiBlockDataSet* views)
+{
+  constexpr double perNoise = 3;
+  constexpr double most = 10;
+  if (options.OcclusionPx <= 0 || !options.UseDepthMaps)
+  {
+    return options.OcclusionPx;
+  }
+  const double noise = novelview::AttachedNumber(views, novelview::arrays::DepthNoise, 0);
+  return std::max(options.OcclusionPx, std::min(perNoise * noise, most));
+}
+}
+
 //------------------------------------------------------------------------------
 int vtkViewDependentTextureMapper::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
@@ -78,6 +95,7 @@ int vtkViewDependentTextureMapper::RequestData(
 
       novelview::TextureOptions options = this->Options;
       options.BoundarySamples = this->Options.BoundarySamples | 1;
+      options.OcclusionPx = SoftnessOf(options, vtkMultiBlockDataSet::GetData(inputs[1]));
       std::optional<novelview::TriangleMesh> occluders;
       vtkPolyData* others = vtkPolyData::GetData(inputs[2]);
       if (others && novelview::NeedsModel(views, options))

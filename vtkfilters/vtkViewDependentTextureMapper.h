@@ -84,7 +84,8 @@ public:
   ///@{
   /**
    * Softness of the occlusion test in pixel footprints: a point z behind the model counts
-   * exp(-(z / softness)^2). 0 tests hard at 1.5 footprints. Default 0, range 0 to 100.
+   * exp(-(z / softness)^2). 0 tests hard at 1.5 footprints. A test by depth maps is softer, to 10
+   * footprints, when three times their `DepthNoise` is more. Default 0, range 0 to 100.
    */
   vtkFilterOptionMacro(OcclusionSoftness, double, OcclusionPx);
   ///@}

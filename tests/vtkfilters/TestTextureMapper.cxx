@@ -123,6 +123,38 @@ TEST(TextureMapper, PhotographsOfDifferentExposureAreBroughtToTheirMean)
   EXPECT_EQ(picture(plain, true), untouched) << "without numbers nothing is to be divided by";
 }
 
+TEST(TextureMapper, NoisyDepthMapsHideNothingForGood)
+{
+  // The map of the first photograph lies two pixels in front of the surface.
+  const PlaneCase& plane = TheCase();
+  const auto picture = [&](double noise, double softness, bool useDepthMaps)
+  {
+    const auto blocks = ToBlocks(plane.Photos);
+    for (unsigned int viewId = 0; viewId < plane.Photos.size(); ++viewId)
+    {
+      Image<float> depth = plane.Photos[viewId].TrueDepth;
+      for (float& value : depth.Values)
+      {
+        value -= viewId == 0 && value > 0 ? 0.02f : 0.f;
+      }
+      CopyToArray(depth, arrays::Depth, vtkImageData::SafeDownCast(blocks->GetBlock(viewId)));
+    }
+    AttachNumber(blocks, arrays::DepthNoise, noise);
+    const auto mapper = plane.Mapper();
+    mapper->SetInputData(1, blocks);
+    mapper->SetUseDepthMaps(useDepthMaps);
+    mapper->SetOcclusionSoftness(softness);
+    mapper->Update();
+    return Values<unsigned char>(mapper->GetOutput(), "Color", 3);
+  };
+  EXPECT_EQ(picture(2, 1, true), picture(0, 6, true));
+  EXPECT_NE(picture(2, 1, true), picture(0, 1, true));
+  EXPECT_EQ(picture(2, 8, true), picture(0, 8, true)) << "softer already";
+  EXPECT_EQ(picture(50, 1, true), picture(0, 10, true)) << "never softer than that";
+  EXPECT_EQ(picture(2, 0, true), picture(0, 0, true)) << "a hard test stays hard";
+  EXPECT_EQ(picture(2, 1, false), picture(0, 1, false)) << "the maps are not used";
+}
+
 TEST(TextureMapper, FollowsItsCameraInPlaceAndSize)
 {
   const auto mapper = TheCase().Mapper();

@@ -247,16 +247,16 @@ std::vector<double> Growing(double noise)
 {
   const TsdfDeformationOptions options = OptionsForNoise(noise);
   return { options.Surface.TruncationPx, options.Surface.SurfacePrior, options.Outline.TruncationPx,
-    options.Silhouette.SmoothingPx };
+    options.Silhouette.SmoothingPx, options.Smoothing };
 }
 }
 
 TEST(TsdfDeformation, OptionsGrowWithTheNoiseBetweenTheirLimits)
 {
-  EXPECT_EQ(Growing(0), (std::vector<double>{ 3, 0.05, 2, 0 })) << "as sharp as pixels allow";
-  EXPECT_EQ(Growing(100), (std::vector<double>{ 6, 0.3, 5, 1 }));
+  EXPECT_EQ(Growing(0), (std::vector<double>{ 3, 0.05, 2, 0, 0.15 })) << "as sharp as pixels allow";
+  EXPECT_EQ(Growing(100), (std::vector<double>{ 6, 1, 5, 1, 3.15 }));
   std::vector<double> before = Growing(0);
-  for (double noise = 0.05; noise < 2; noise += 0.05)
+  for (double noise = 0.05; noise < 4.1; noise += 0.05)
   {
     const std::vector<double> now = Growing(noise);
     for (std::size_t i = 0; i < now.size(); ++i)

@@ -349,9 +349,10 @@ TsdfDeformationOptions OptionsForNoise(double noise)
 {
   TsdfDeformationOptions options;
   options.Surface.TruncationPx = std::clamp(2.5 + 4 * noise, 3.0, 6.0);
-  options.Surface.SurfacePrior = std::clamp(0.25 * noise, 0.05, 0.3);
+  options.Surface.SurfacePrior = std::clamp(0.25 * noise, 0.05, 1.0);
   options.Outline.TruncationPx = std::clamp(1.5 + 4 * noise, 2.0, 5.0);
   options.Silhouette.SmoothingPx = std::clamp(noise, 0.0, 1.0);
+  options.Smoothing += std::clamp(noise - 1, 0.0, 3.0);
   return options;
 }
 

@@ -34,8 +34,9 @@ struct TsdfDeformationOptions
 
 /**
  * The options for depth maps of which half disagree by more than `noise` input pixel footprints
- * (DepthNoise): from about 0.15 for sharp photographs and exact cameras to 1 and more for masks and
- * cameras that are off. Truncations, the surface's prior and the contour's smoothing grow with it.
+ * (DepthNoise): from about 0.15 for sharp photographs and exact cameras over 1 for masks and cameras
+ * that are off to 3 and more where there is little but sensor noise to match. Truncations, the
+ * surface's prior, its smoothness and the contour's smoothing grow with it.
  */
 TsdfDeformationOptions OptionsForNoise(double noise);
 
