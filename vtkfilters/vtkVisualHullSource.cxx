@@ -59,6 +59,7 @@ int vtkVisualHullSource::RequestData(
       this->NumberOfDroppedComponents = hull.DroppedComponents;
       this->NumberOfDroppedSamples = static_cast<vtkIdType>(hull.DroppedSamples);
       this->WorldSpacing = hull.Spacing;
+      this->CutByBox = hull.CutByBox;
     });
 }
 
@@ -85,4 +86,5 @@ void vtkVisualHullSource::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfDroppedComponents: " << this->NumberOfDroppedComponents << "\n";
   os << indent << "NumberOfDroppedSamples: " << this->NumberOfDroppedSamples << "\n";
   os << indent << "WorldSpacing: " << this->WorldSpacing << "\n";
+  os << indent << "CutByBox: " << this->CutByBox << "\n";
 }

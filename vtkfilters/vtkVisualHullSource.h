@@ -27,8 +27,8 @@
  * of a view cuts the hull; there they lie on the frame's border. Sharp creases are sampled, not
  * resolved.
  *
- * Errors: no views, missing arrays, an empty hull (naming the view that empties it), a hull that
- * reaches the search box.
+ * Errors: no views, missing arrays, an empty hull (naming the view that empties it), silhouettes
+ * that do not bound the object when no box is given.
  *
  * Reference: Laurentini, "The visual hull concept for silhouette-based image understanding",
  * IEEE PAMI 16(2), 1994; the place of the stage: Chia, He and Lin 2013, section 2.1.
@@ -61,8 +61,9 @@ public:
 
   ///@{
   /**
-   * The box to search, xmin xmax ymin ymax zmin zmax in world units. Default: 1 -1 1 -1 1 -1, an
-   * empty box: the box of SetOptions() if given, else computed from the silhouettes.
+   * The box that bounds the hull, xmin xmax ymin ymax zmin zmax in world units: the hull is cut at
+   * its faces. Default: 1 -1 1 -1 1 -1, an empty box: the box of SetOptions() if given, else
+   * computed from the silhouettes.
    */
   vtkSetVector6Macro(SearchBounds, double);
   vtkGetVector6Macro(SearchBounds, double);
@@ -82,6 +83,9 @@ public:
   /** The sample spacing of the last update in world units. */
   vtkGetMacro(WorldSpacing, double);
 
+  /** Whether the given box cut the hull of the last update. */
+  vtkGetMacro(CutByBox, bool);
+
 protected:
   vtkVisualHullSource();
   ~vtkVisualHullSource() override = default;
@@ -93,6 +97,7 @@ protected:
   int NumberOfDroppedComponents = 0;
   vtkIdType NumberOfDroppedSamples = 0;
   double WorldSpacing = 0;
+  bool CutByBox = false;
 
 private:
   vtkVisualHullSource(const vtkVisualHullSource&) = delete;

@@ -62,6 +62,12 @@ void StyleAxis(vtkAxis* axis, const std::string& title, const ChartStyle& style)
   axis->GetGridPen()->SetColorF(style.Grid[0], style.Grid[1], style.Grid[2]);
 }
 
+/**
+ * Smallest range of the y axis, relative to its values. VTK 9.1 draws no curve in a range of less
+ * than a hundredth, and a smaller change cannot be seen in a picture either.
+ */
+constexpr double MinRelativeRange = 0.02;
+
 /** Whole numbers (or their labels) on the x axis, the values with some air on the y axis. */
 void FixRanges(
   vtkChartXY* chart, const std::vector<ChartLine>& lines, const std::vector<std::string>& labels)
@@ -83,7 +89,10 @@ void FixRanges(
     least = 0;
     most = 1;
   }
-  const double air = most > least ? 0.12 * (most - least) : 0.05 * std::max(std::abs(most), 1e-3);
+  const double smallest = MinRelativeRange * std::max(std::abs(least), std::abs(most));
+  const double air = most > least
+    ? std::max(0.12 * (most - least), 0.5 * (smallest - (most - least)))
+    : 0.05 * std::max(std::abs(most), 1e-3);
   vtkAxis* x = chart->GetAxis(vtkAxis::BOTTOM);
   x->SetBehavior(vtkAxis::FIXED);
   // Labels are wider than numbers, and a legend stands right of the last.

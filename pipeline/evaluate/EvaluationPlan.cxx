@@ -3,6 +3,7 @@
 
 #include "base/UsageError.h"
 #include "formats/Middlebury.h"
+#include "formats/NerfTransforms.h"
 
 #include <algorithm>
 
@@ -52,10 +53,10 @@ PlannedSet TestViews(const DatasetIndex& dataset, std::vector<std::string>& warn
 {
   PlannedSet set;
   const fs::path folder = dataset.Folder / "test";
-  const fs::path split = dataset.Calibration.parent_path() / "transforms_test.json"; // of NeRF
+  const fs::path split = dataset.Format == "nerf" ? NerfTestSplit(dataset.Calibration) : fs::path();
   std::error_code failure;
   const bool own = fs::is_directory(folder, failure) && !ParFilesIn(folder).empty();
-  if (!own && !(dataset.Format == "nerf" && fs::is_regular_file(split, failure)))
+  if (!own && (split.empty() || split == dataset.Calibration))
   {
     return set;
   }

@@ -47,8 +47,9 @@ struct EvaluationPlan
 };
 
 /**
- * Looks the views up that the options ask for; photographs in `exclude` are left out. Test views are the lines of the one *_par.txt in
- * DATASET/test whose photographs lie beside it. Throws UsageError when a name is unknown or no
+ * Looks the views up that the options ask for; photographs in `exclude` are left out. Test views are
+ * the lines of the one *_par.txt in DATASET/test whose photographs lie beside it, or those of NeRF's
+ * transforms_test.json or else transforms_val.json. Throws UsageError when a name is unknown or no
  * reference is left.
  */
 EvaluationPlan MakeEvaluationPlan(const HoldOutOptions& options, const DatasetIndex& dataset,

@@ -231,6 +231,34 @@ Photograph PhotographOf(const Frame& frame, const fs::path& folder)
   return photograph;
 }
 
+/** Says what the other files of a split are for, next to the one that is read. */
+void NoteSplit(const fs::path& path, Calibration& calibration)
+{
+  const std::string name = LowerCase(path.filename().string());
+  if (name != "transforms.json" && name != "transforms_train.json")
+  {
+    return;
+  }
+  const fs::path held = NerfTestSplit(path);
+  std::string text = held.empty()
+    ? ""
+    : held.filename().string() + " holds no references: evaluate predicts its views";
+  std::error_code failure;
+  for (const char* other : { "transforms_train.json", "transforms_val.json" })
+  {
+    const fs::path file = FileOfAnyCase(path.parent_path() / other);
+    if (LowerCase(file.filename().string()) != name && file != held &&
+      fs::is_regular_file(file, failure))
+    {
+      text += (text.empty() ? "" : "; ") + file.filename().string() + " is not used";
+    }
+  }
+  if (!text.empty())
+  {
+    calibration.Notes.push_back({ "split", text + " (--calibration reads another file)", false });
+  }
+}
+
 Calibration ReadNerf(const fs::path&, const fs::path& path)
 {
   const Json whole = ReadJsonFile(path);
@@ -252,6 +280,7 @@ Calibration ReadNerf(const fs::path&, const fs::path& path)
     calibration.Photographs.push_back(
       PhotographOf(Frame((*frames)[i], whole, where), path.parent_path()));
   }
+  NoteSplit(path, calibration);
   return calibration;
 }
 
@@ -328,6 +357,20 @@ std::vector<FileContent> ComposeNerf(const std::string&, const std::vector<Photo
   whole["frames"] = frames;
   return { { "transforms.json", DumpJson(whole) + "\n" } };
 }
+}
+
+fs::path NerfTestSplit(const fs::path& calibration)
+{
+  std::error_code failure;
+  for (const char* name : { "transforms_test.json", "transforms_val.json" })
+  {
+    const fs::path file = FileOfAnyCase(calibration.parent_path() / name);
+    if (fs::is_regular_file(file, failure))
+    {
+      return file;
+    }
+  }
+  return {};
 }
 
 DatasetFormat NerfFormat()

@@ -16,6 +16,9 @@
  * top-left pixel at (0.5, 0.5). A k4 of a perspective lens is another one than OpenCV's and
  * refused.
  *
+ * Of a split, transforms_test.json or else transforms_val.json hold the views that evaluate predicts;
+ * the others are not used, which a note says.
+ *
  * Written are numbers common to all frames once, others per frame.
  *
  * Errors are novelview::Error, naming file and frame.
@@ -25,9 +28,14 @@
 
 #include "formats/DatasetFormats.h"
 
+#include <filesystem>
+
 namespace novelview
 {
 DatasetFormat NerfFormat();
+
+/** The file beside a calibration whose views are to be predicted; empty when there is none. */
+std::filesystem::path NerfTestSplit(const std::filesystem::path& calibration);
 }
 
 #endif

@@ -336,7 +336,9 @@ private:
       this->Run("silhouettes", this->Filters.Reconciler);
     }
     this->Run("visual hull", this->Filters.HullSource);
-    if (this->Options.RepairSilhouettes && !std::exchange(this->TriedRepair, true))
+    // What a box cuts off is not missing in a silhouette.
+    const bool cut = this->Filters.HullSource->GetCutByBox();
+    if (this->Options.RepairSilhouettes && !std::exchange(this->TriedRepair, true) && !cut)
     {
       this->Run("silhouettes", this->Filters.Repairer);
       if (this->Filters.Repairer->GetRepaired())
@@ -364,6 +366,11 @@ private:
     if (this->Options.ReconcileSilhouettes)
     {
       this->WarnOfOffsets();
+    }
+    if (this->Filters.HullSource->GetCutByBox())
+    {
+      this->Warn("visual hull: cut at the box of --hull-box" +
+        std::string(this->Options.RepairSilhouettes ? "; silhouettes are not repaired" : ""));
     }
     if (const int dropped = this->Filters.HullSource->GetNumberOfDroppedComponents(); dropped > 0)
     {

@@ -338,6 +338,15 @@ TEST_F(BadInput, BoxBesideTheObject)
     { "--hull-box", "50,50,50,51,51,51" });
 }
 
+TEST_F(BadInput, BoxThroughTheObjectBoundsTheHullAndIsSaid)
+{
+  const ProcessEnd end =
+    RunProgram({ "run", this->Data.string(), "--quiet", "--no-screenshots", "--view", "between:0,1",
+      "--out", this->Out.string(), "--hull-box=-1.2,-0.2,-1.2,1.2,1.2,1.2" });
+  EXPECT_EQ(end.Code, 0) << end.Err;
+  EXPECT_THAT(end.Err, HasSubstr("warning: visual hull: cut at the box of --hull-box"));
+}
+
 TEST_F(BadInput, BoxTurnedInsideOut)
 {
   this->ExpectFailure(2, { "--hull-box" }, { "--hull-box", "1,1,1,-1,-1,-1" });

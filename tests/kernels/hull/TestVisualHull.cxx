@@ -7,7 +7,9 @@
 #include "support/SphereScene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <numbers>
 
 using namespace novelview;
 using namespace support;
@@ -283,12 +285,35 @@ TEST(VisualHull, AMaskThatCarvesEverythingAwayIsNamed)
     [&] { ComputeVisualHull(ViewsOf(photos)); }, "view p4: its mask carves everything away");
 }
 
-TEST(VisualHull, ReachingTheGivenBoxIsAnError)
+TEST(VisualHull, AGivenBoxWasRefusedInsteadOfBoundingTheHull)
 {
+  const auto views = ViewsOf(SpherePhotos());
+  const VisualHullResult whole = ComputeVisualHull(views);
   VisualHullOptions options;
-  options.Box = { -1, -1, -1, 1, 0.3, 1 };
-  ExpectError([&] { ComputeVisualHull(ViewsOf(SpherePhotos()), options); },
-    "visual hull: it reaches the search box at max y = 0.3");
+  options.Box = { -1, -1, -1, 1, 0.2, 1 };
+  const VisualHullResult cut = ComputeVisualHull(views, options);
+  // Samples are found to a small part of the spacing.
+  const double tolerance = 1e-3 * cut.Spacing;
+  int onFace = 0;
+  double farthest = 0;
+  for (std::size_t i = 0; i < cut.Samples.Points.size(); ++i)
+  {
+    const Vector3d& point = cut.Samples.Points[i];
+    EXPECT_LT(point.y(), 0.2 + tolerance);
+    if (point.y() > 0.2 - tolerance)
+    {
+      ++onFace;
+      farthest = std::max(farthest, std::hypot(point.x(), point.z()));
+    }
+  }
+  // A disc of the sphere's section, with a sample per cell.
+  const double section = std::sqrt(Radius * Radius - 0.2 * 0.2);
+  EXPECT_GT(onFace, 0.8 * std::numbers::pi * section * section / (cut.Spacing * cut.Spacing));
+  EXPECT_NEAR(farthest, section, 3 * cut.Spacing);
+  EXPECT_LT(cut.Samples.Points.size(), whole.Samples.Points.size());
+  EXPECT_TRUE(cut.CutByBox);
+  options.Box = { -1, -1, -1, 1, 1, 1 };
+  EXPECT_FALSE(ComputeVisualHull(views, options).CutByBox);
 }
 
 TEST(VisualHull, EndsThoughTheOriginIsTooFarAwayToTellPointsApart)

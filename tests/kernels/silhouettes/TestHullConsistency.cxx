@@ -3,6 +3,7 @@
 #include "silhouettes/SilhouetteField.h"
 #include "support/Expect.h"
 #include "support/Scene.h"
+#include "support/TowerScene.h"
 
 #include <cmath>
 #include <thread>
@@ -203,4 +204,16 @@ TEST(HullConsistency, AStopIsHeardAmongTheRays)
   Execution execution;
   execution.StopRequested = [] { return true; };
   EXPECT_THROW(FollowSilhouetteRays(views, RaysOf(views, 8, false), {}, execution), Interrupted);
+}
+
+TEST(HullConsistency, APartBesideTheFrameWasHeldAgainstTheViewThatItLeaves)
+{
+  const std::vector<Photo> photos = TowerPhotos();
+  const std::vector<View> views = ViewsOf(photos);
+  const auto rays = RaysOf(views, 100, false);
+  const auto agreements = FollowSilhouetteRays(views, rays);
+  for (std::size_t i = 0; i < rays.size(); ++i)
+  {
+    EXPECT_GT(agreements[i].Residual, -1) << views[rays[i].ViewId].Name;
+  }
 }

@@ -31,12 +31,14 @@ TEST(SearchBox, SilhouettesWithoutACommonPointNameTheOddOneOut)
     "view p1: its silhouette and those of the other views have no point in common");
 }
 
-TEST(SearchBox, SilhouettesThatReachTheFrameEverywhereBoundNothing)
+TEST(SearchBox, SilhouettesThatBoundNothingNameTheOptionThatDoes)
 {
   auto photos = SpherePhotos();
   for (Photo& photo : photos)
   {
     SetMask(photo, Image<std::uint8_t>(160, 120, 1, 255));
   }
-  ExpectError([&] { FindSearchBox(ViewsOf(photos)); }, "do not bound the object on every side");
+  ExpectError([&] { FindSearchBox(ViewsOf(photos)); },
+    "do not bound the object on every side (the frames cut it); give a box that does with "
+    "--hull-box");
 }

@@ -12,11 +12,12 @@ using namespace support;
 namespace
 {
 /** Classifies random balls and looks the field up in each that is said to be certain. */
-void ExpectClassificationHolds(const std::vector<Camera>& cameras, double reach, int atLeast)
+void ExpectClassificationHolds(const std::vector<Camera>& cameras, double reach, int atLeast,
+  const std::optional<Eigen::AlignedBox3d>& bounds = {})
 {
   const auto photos = TakeAll(Sphere(Vector3d::Zero(), Radius), Plain(200, 200, 200), cameras);
   const auto views = ViewsOf(photos);
-  const SilhouetteField field(views);
+  const SilhouetteField field(views, bounds);
   const auto offsets = RandomPoints(64, 1, 5);
   std::mt19937 random(6);
   std::uniform_real_distribution<double> uniform(0.01, 0.6 * reach);
@@ -60,6 +61,23 @@ TEST(SilhouetteField, ClassifiesBallsFarOffTheAxisOfAWideAngleCamera)
     cameras.back().K(0, 2) = 75;
   }
   ExpectClassificationHolds(cameras, 2.5, 200);
+}
+
+TEST(SilhouetteField, ClassifiesBallsAboutTheBoxThatBoundsIt)
+{
+  const Eigen::AlignedBox3d box(Vector3d(-0.4, -0.1, -2), Vector3d(0.1, 0.2, 2));
+  ExpectClassificationHolds(Ring(3, 60), 1, 800, box);
+}
+
+TEST(SilhouetteField, ABoxBoundsItLikeAFurtherView)
+{
+  const auto views = ViewsOf(SpherePhotos());
+  const SilhouetteField bounded(
+    views, Eigen::AlignedBox3d(Vector3d(-1, -0.1, -1), Vector3d(1, 1, 1)));
+  EXPECT_NEAR(bounded.Value(Vector3d::Zero()), 0.1, 1e-12);
+  EXPECT_NEAR(bounded.Value(Vector3d(0, -0.15, 0)), -0.05, 1e-12);
+  const Vector3d nearTop(0, 0.9 * Radius, 0);
+  EXPECT_EQ(bounded.Value(nearTop), SilhouetteField(views).Value(nearTop));
 }
 
 TEST(SilhouetteField, ValueIsTheLeastConeDistanceInWorldUnits)

@@ -108,6 +108,17 @@ TEST_F(ScenePictures, DesktopShowsPicturesErrorAndCurve)
   EXPECT_GT(Count(picture, 255, 194, 46), 300) << "the novel camera";
 }
 
+TEST_F(ScenePictures, ChartOfNearlyEqualScoresHadNoCurve)
+{
+  DrawDesktop(this->State, this->File);
+  const int curve = Count(this->Read(), 255, 115, 51);
+  this->State.History = { { Stage::Outline, 0, 30 }, { Stage::Outline, 1, 29.9 },
+    { Stage::Outline, 2, 29.95 } };
+  DrawDesktop(this->State, this->File);
+  // Two lines and three dots as before; they are flatter, so the lines are shorter.
+  EXPECT_GT(Count(this->Read(), 255, 115, 51), curve / 2);
+}
+
 TEST_F(ScenePictures, DesktopMarksOutlinePointsAndDisplacement)
 {
   DrawDesktop(this->State, this->File);

@@ -181,6 +181,51 @@ TEST(EvaluationPlan, TestViewsAreTheDefault)
   EXPECT_THAT(plan.Warnings[0], HasSubstr("t1.png"));
 }
 
+TEST(EvaluationPlan, TestSplitOfNerfIsPredictedAndHeldOut)
+{
+  const TemporaryFolder folder;
+  const DatasetIndex made = MakeDataset(folder);
+  const auto write = [&](const std::string& name, std::size_t from, std::size_t to)
+  {
+    nlohmann::json whole{ { "fl_x", 100 }, { "cx", 16 }, { "cy", 12 }, { "w", 32 }, { "h", 24 } };
+    for (std::size_t i = from; i < to; ++i)
+    {
+      const Camera& camera = made.Cameras[i].Cam;
+      Eigen::Matrix4d pose = Eigen::Matrix4d::Identity();
+      pose.topLeftCorner<3, 3>() = camera.R.transpose() * Eigen::Vector3d(1, -1, -1).asDiagonal();
+      pose.topRightCorner<3, 1>() = camera.Centre();
+      nlohmann::json rows;
+      for (int row = 0; row < 4; ++row)
+      {
+        rows.push_back({ pose(row, 0), pose(row, 1), pose(row, 2), pose(row, 3) });
+      }
+      whole["frames"].push_back(
+        { { "file_path", made.Cameras[i].Name }, { "transform_matrix", rows } });
+    }
+    WriteText(folder / name, whole.dump());
+  };
+  std::filesystem::remove(folder / "c_par.txt");
+  write("transforms_train.json", 0, 4);
+  write("transforms_val.json", 5, 6);
+  const auto views = [&]
+  {
+    const EvaluationPlan plan = MakeEvaluationPlan({}, ReadDatasetIndex(folder.Path));
+    EXPECT_EQ(plan.Mode, "test views");
+    EXPECT_EQ(plan.Sets.at(0).References, 4u - plan.Sets.at(0).HeldOut.size());
+    std::vector<std::string> names;
+    for (const PlannedView& view : plan.Sets.at(0).Views)
+    {
+      names.push_back(view.Name);
+    }
+    return names;
+  };
+  EXPECT_THAT(views(), ElementsAre("c5.png"));
+  write("transforms_test.json", 3, 5);
+  EXPECT_THAT(views(), ElementsAre("c3.png", "c4.png"));
+  EXPECT_THAT(
+    MakeEvaluationPlan({}, ReadDatasetIndex(folder.Path)).Sets[0].HeldOut, ElementsAre("c3.png"));
+}
+
 TEST(EvaluationPlan, TestViewThatIsAReferenceIsHeldOut)
 {
   const TemporaryFolder folder;

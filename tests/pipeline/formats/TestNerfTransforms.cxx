@@ -98,6 +98,28 @@ TEST(NerfTransforms, TheTrainingSplitIsReadWhereThereIsNoOther)
   EXPECT_EQ(ReadDatasetIndex(file.Folder.Path).Calibration, file.Folder / "transforms_train.json");
 }
 
+TEST(NerfTransforms, WhatASplitIsUsedForIsSaid)
+{
+  const OneFrame file(Sized, Path);
+  const auto as = [&](const std::string& name)
+  { std::filesystem::copy(file.Folder / "transforms.json", file.Folder / name); };
+  EXPECT_TRUE(ReadDatasetIndex(file.Folder.Path).Notes.empty());
+  as("transforms_val.json");
+  EXPECT_THAT(ReadDatasetIndex(file.Folder.Path).Notes.at(0).Text,
+    testing::HasSubstr("transforms_val.json holds no references: evaluate predicts its views"));
+  as("transforms_test.json");
+  as("transforms_train.json");
+  const ReadingNote note = ReadDatasetIndex(file.Folder.Path).Notes.at(0);
+  EXPECT_FALSE(note.Harmful);
+  EXPECT_EQ(note.Text,
+    "transforms_test.json holds no references: evaluate predicts its views; transforms_train.json "
+    "is not used; transforms_val.json is not used (--calibration reads another file)");
+  std::filesystem::remove(file.Folder / "transforms.json");
+  EXPECT_EQ(ReadDatasetIndex(file.Folder.Path).Notes.at(0).Text,
+    "transforms_test.json holds no references: evaluate predicts its views; transforms_val.json "
+    "is not used (--calibration reads another file)");
+}
+
 TEST(NerfTransforms, BadFilesAreNamedByFrame)
 {
   const auto expect = [](const std::string& shared, const std::string& own, const auto&... parts)

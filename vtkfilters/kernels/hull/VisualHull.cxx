@@ -124,26 +124,67 @@ std::optional<Eigen::AlignedBox3d> GivenBox(const VisualHullOptions& options)
   return empty ? std::optional<Eigen::AlignedBox3d>() : box;
 }
 
-void CheckInsideBox(const std::vector<CellSample>& samples, const VisualHullResult& result)
+/** A face of a box. */
+struct Face
+{
+  int Axis;
+  bool Low;
+};
+
+/** The first face that a sample comes closer to than a distance. */
+std::optional<Face> FaceNear(
+  const std::vector<CellSample>& samples, const Eigen::AlignedBox3d& box, double distance)
 {
   Eigen::AlignedBox3d extent;
   for (const CellSample& sample : samples)
   {
     extent.extend(sample.Point);
   }
-  const char* const sides[3] = { "x", "y", "z" };
   for (int axis = 0; axis < 3; ++axis)
   {
-    const bool low = extent.min()[axis] < result.Box.min()[axis] + result.Spacing;
-    const bool high = extent.max()[axis] > result.Box.max()[axis] - result.Spacing;
+    const bool low = extent.min()[axis] < box.min()[axis] + distance;
+    const bool high = extent.max()[axis] > box.max()[axis] - distance;
     if (low || high)
     {
-      throw Error("visual hull",
-        std::string("it reaches the search box at ") + (low ? "min " : "max ") + sides[axis] +
-          " = " + std::to_string(low ? result.Box.min()[axis] : result.Box.max()[axis]) +
-          ": the silhouettes do not bound the object there, or the box is too small");
+      return Face{ axis, low };
     }
   }
+  return {};
+}
+
+/** The frames cut what reaches the box that was found around the silhouettes. */
+void CheckInsideBox(const std::vector<CellSample>& samples, const VisualHullResult& result)
+{
+  const char* const sides[3] = { "x", "y", "z" };
+  if (const auto face = FaceNear(samples, result.Box, result.Spacing))
+  {
+    const double at = (face->Low ? result.Box.min() : result.Box.max())[face->Axis];
+    throw Error("visual hull",
+      std::string("it reaches the search box at ") + (face->Low ? "min " : "max ") +
+        sides[face->Axis] + " = " + std::to_string(at) +
+        ": the silhouettes do not bound the object there; give a box that does with --hull-box");
+  }
+}
+
+/** The lattice of a box, and a block beyond it on every side when the box bounds the hull. */
+Lattice LatticeOf(const Eigen::AlignedBox3d& box, double spacing, bool bounding)
+{
+  Lattice lattice;
+  lattice.Spacing = spacing;
+  lattice.Origin = box.min() - Vector3d::Constant(bounding ? BlockCells * spacing : 0);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double blocks = box.sizes()[axis] / (spacing * BlockCells);
+    if (!(blocks <= MaxBlocks))
+    {
+      std::ostringstream cells;
+      cells << blocks * BlockCells << " cells along a side";
+      throw Error("visual hull", "the search box is too large for the sample spacing", cells.str(),
+        "at most a million");
+    }
+    lattice.Blocks[axis] = std::max(CeilToInt(blocks), 1) + (bounding ? 2 : 0);
+  }
+  return lattice;
 }
 }
 
@@ -151,8 +192,8 @@ VisualHullResult ComputeVisualHull(
   const std::vector<View>& views, const VisualHullOptions& options, const Execution& execution)
 {
   VisualHullResult result;
-  const SilhouetteField field(views);
   const std::optional<Eigen::AlignedBox3d> given = GivenBox(options);
+  const SilhouetteField field(views, given);
   result.Box = given ? *given : FindSearchBox(views);
   result.Spacing = options.SpacingPx * FootprintAt(views, result.Box.center());
   if (!given)
@@ -163,21 +204,7 @@ VisualHullResult ComputeVisualHull(
     result.Box.min() -= margin;
     result.Box.max() += margin;
   }
-  Lattice lattice;
-  lattice.Spacing = result.Spacing;
-  lattice.Origin = result.Box.min();
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double blocks = result.Box.sizes()[axis] / (result.Spacing * BlockCells);
-    if (!(blocks <= MaxBlocks))
-    {
-      std::ostringstream cells;
-      cells << blocks * BlockCells << " cells along a side";
-      throw Error("visual hull", "the search box is too large for the sample spacing", cells.str(),
-        "at most a million");
-    }
-    lattice.Blocks[axis] = std::max(CeilToInt(blocks), 1);
-  }
+  const Lattice lattice = LatticeOf(result.Box, result.Spacing, given.has_value());
   execution.Report(0.02);
   const std::vector<Vector3i> blocks = SurfaceBlocks(field, lattice, execution);
   execution.Report(0.1);
@@ -187,7 +214,15 @@ VisualHullResult ComputeVisualHull(
     ThrowEmpty(views, result.Box);
   }
   KeepComponents(samples, options.KeepAllComponents, result);
-  CheckInsideBox(samples, result);
+  if (given)
+  {
+    // Samples on its faces are exact to a small part of the spacing.
+    result.CutByBox = FaceNear(samples, result.Box, 0.01 * result.Spacing).has_value();
+  }
+  else
+  {
+    CheckInsideBox(samples, result);
+  }
   result.Samples.Points.reserve(samples.size());
   result.Samples.Normals.reserve(samples.size());
   for (const CellSample& sample : samples)

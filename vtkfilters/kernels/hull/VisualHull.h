@@ -18,6 +18,7 @@ struct VisualHullResult
   OrientedPoints Samples;  ///< on f = 0, with outward unit normals
   TriangleMesh Surface;    ///< through all samples, of before the thinning (ConnectCells)
   Eigen::AlignedBox3d Box; ///< the box searched
+  bool CutByBox = false;   ///< the hull ends at faces of the given box
   double Spacing = 0;      ///< world units
   int Components = 0;      ///< found
   int DroppedComponents = 0;
@@ -31,7 +32,8 @@ struct VisualHullResult
  * like normals that are closer than 0.7 spacings the later ones are left out.
  *
  * Views need Mask and ContourDistance. Throws Error when the hull is empty (naming the view that
- * empties it) or reaches the box (the silhouettes do not bound the object there).
+ * empties it) or reaches the box that was found (the silhouettes do not bound the object there). A
+ * given box bounds the hull: what reaches beyond is cut at its faces.
  */
 VisualHullResult ComputeVisualHull(const std::vector<View>& views,
   const VisualHullOptions& options = {}, const Execution& execution = {});

@@ -17,7 +17,8 @@ struct VisualHullOptions
   double SpacingPx = SpacingPxParameter.Default;
 
   /**
-   * Search box x0 y0 z0 x1 y1 z1, world units. Computed from the silhouettes if not given or empty.
+   * Box x0 y0 z0 x1 y1 z1 that bounds the hull, world units. Computed from the silhouettes if not
+   * given or empty.
    */
   std::optional<std::array<double, 6>> Box;
 

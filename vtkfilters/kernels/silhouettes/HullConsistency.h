@@ -39,8 +39,9 @@ struct RayConsistency
  *
  * An object whose silhouette stays clear of a side of the frame does not go on beyond that side, and
  * it is in front of every camera: points there are outside by as much as they are outside the frame.
- * Beyond a side that the silhouette reaches a view has no information; points that less than
- * SeenShare of the other views have in their frame do not count.
+ * Beyond a side that the silhouette reaches a view has no information, also in the corners with the
+ * sides that it does not reach; points that less than SeenShare of the other views have in their
+ * frame do not count.
  *
  * Views need Mask and ContourDistance, rays valid views. Throws Interrupted.
  */

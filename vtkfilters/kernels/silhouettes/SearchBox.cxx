@@ -203,8 +203,9 @@ Eigen::AlignedBox3d FindSearchBox(const std::vector<View>& views)
       ThrowEmpty(views, origin, scale);
     case Outcome::Unbounded:
       throw Error("views",
-        "the silhouettes do not bound the object on every side, so its box cannot be found; give "
-        "one");
+        "the silhouettes do not bound the object on every side (the frames cut it); give a box "
+        "that "
+        "does with --hull-box");
     case Outcome::Bounded:
       break;
   }

@@ -17,8 +17,19 @@ ContourView::ContourView(const View& view)
   this->Distance = view.ContourDistance;
 }
 
-SilhouetteField::SilhouetteField(const std::vector<View>& views)
+namespace
+{
+/** The distance to the nearest of the box's faces (as planes), positive inside. */
+double InsideBox(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& x)
+{
+  return (x - box.min()).cwiseMin(box.max() - x).minCoeff();
+}
+}
+
+SilhouetteField::SilhouetteField(
+  const std::vector<View>& views, const std::optional<Eigen::AlignedBox3d>& bounds)
   : Views(views.begin(), views.end())
+  , Bounds(bounds)
 {
 }
 
@@ -26,6 +37,7 @@ void SilhouetteField::RestrictTo(
   const Eigen::Vector3d& centre, double radius, SilhouetteField& field) const
 {
   field.Views.clear();
+  field.Bounds = this->Bounds;
   std::vector<double> low; // per view kept, the least it may say in the ball
   double high = std::numeric_limits<double>::infinity(); // f is nowhere more in the ball
   for (const ContourView& view : this->Views)
@@ -95,7 +107,11 @@ double SilhouetteField::Value(const Eigen::Vector3d& x, int& decidingView) const
       decidingView = static_cast<int>(viewId);
     }
   }
-  return decidingView < 0 ? -std::numeric_limits<double>::infinity() : least;
+  if (decidingView < 0)
+  {
+    return -std::numeric_limits<double>::infinity();
+  }
+  return this->Bounds ? std::min(least, InsideBox(*this->Bounds, x)) : least;
 }
 
 Eigen::Vector3d SilhouetteField::Gradient(const Eigen::Vector3d& x, double step) const
@@ -114,6 +130,15 @@ SilhouetteField::Position SilhouetteField::Classify(
 {
   bool seen = false;
   bool mixed = false;
+  if (this->Bounds)
+  {
+    const double inside = InsideBox(*this->Bounds, centre);
+    if (inside < -radius)
+    {
+      return Position::Outside;
+    }
+    mixed = inside < radius;
+  }
   for (const ContourView& view : this->Views)
   {
     const ContourView::Pixel pixel = view.Project(centre);

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace novelview
@@ -73,7 +74,8 @@ struct ContourView
  *
  * with d_v the signed contour distance (pixels, positive inside), so f is a signed length in world
  * units: the hull is f >= 0. A view does not see a point behind its camera or outside its frame;
- * it then does not limit it. A point that no view sees is outside.
+ * it then does not limit it. A point that no view sees is outside. A box that the field is bounded
+ * by limits it like a further view: by the distance to its nearest face, positive inside.
  *
  * Views need ContourDistance. The views (and their pixels) must outlive the field.
  */
@@ -81,7 +83,8 @@ class SilhouetteField
 {
 public:
   SilhouetteField() = default;
-  explicit SilhouetteField(const std::vector<View>& views);
+  explicit SilhouetteField(
+    const std::vector<View>& views, const std::optional<Eigen::AlignedBox3d>& bounds = {});
 
   /**
    * Makes `field` the one of those views alone that can decide somewhere in a ball: it has the same
@@ -92,7 +95,7 @@ public:
   /** f(x); minus infinity where no view sees x. */
   double Value(const Eigen::Vector3d& x) const;
 
-  /** f(x), and the view that decides it (-1 where no view sees x). */
+  /** f(x), and the view that decides it among the views (-1 where no view sees x). */
   double Value(const Eigen::Vector3d& x, int& decidingView) const;
 
   /** Central differences with the given step, world units. Points inwards. */
@@ -109,6 +112,7 @@ public:
 
 private:
   std::vector<ContourView> Views;
+  std::optional<Eigen::AlignedBox3d> Bounds; ///< the box that the field is bounded by
 };
 }
 

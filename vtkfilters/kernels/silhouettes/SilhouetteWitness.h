@@ -76,7 +76,10 @@ public:
     return { this->Cam.K * this->Cam.ToCamera(origin), this->Cam.K * (this->Cam.R * direction) };
   }
 
-  /** Where a line lies in front of the camera and no more than `px` beyond a closed side. */
+  /**
+   * Where a line lies in front of the camera and, as far as one range tells it, no more than `px`
+   * beyond a closed side: the corners next to an open side are open, too (see Ask).
+   */
   RayRange Range(const PictureLine& line, double px) const
   {
     const double right = this->Distance.Width - 1 + px;
@@ -88,26 +91,32 @@ public:
         sign * (line.End[axis] - limit * line.End.z()));
     };
     range.Clip(line.Start.z(), line.End.z());
-    if (!this->Left)
+    const bool columnsBound = !this->Top && !this->Bottom;
+    const bool rowsBound = !this->Left && !this->Right;
+    if (!this->Left && columnsBound)
     {
       clip(1, 0, -px);
     }
-    if (!this->Right)
+    if (!this->Right && columnsBound)
     {
       clip(-1, 0, right);
     }
-    if (!this->Top)
+    if (!this->Top && rowsBound)
     {
       clip(1, 1, -px);
     }
-    if (!this->Bottom)
+    if (!this->Bottom && rowsBound)
     {
       clip(-1, 1, bottom);
     }
     return range;
   }
 
-  /** The signed distance inside the contour at a point of a line; adds 1 to `seen` in the frame. */
+  /**
+   * The signed distance inside the contour at a point of a line; adds 1 to `seen` in the frame.
+   * Infinity beyond an open side: an object that leaves the frame to the right may rise there
+   * above the frame's upper side, which it does not reach inside the frame.
+   */
   double Ask(const Eigen::Vector3d& h, double floorPx, int& seen) const
   {
     if (!(h.z() > 0))
@@ -118,16 +127,17 @@ public:
     const double y = h.y() / h.z();
     const double right = this->Distance.Width - 1;
     const double bottom = this->Distance.Height - 1;
+    if ((this->Left && x < -0.5) || (this->Top && y < -0.5) || (this->Right && x > right + 0.5) ||
+      (this->Bottom && y > bottom + 0.5))
+    {
+      return std::numeric_limits<double>::infinity();
+    }
     const double beyond = std::max({ this->Left ? 0 : -x, this->Right ? 0 : x - right,
       this->Top ? 0 : -y, this->Bottom ? 0 : y - bottom, 0.0 });
     if (beyond > 0)
     {
       const double there = SampleBilinear(this->Distance, x, y);
       return std::max(std::min(there, 0.0) - beyond, -floorPx);
-    }
-    if (x < -0.5 || y < -0.5 || x > right + 0.5 || y > bottom + 0.5)
-    {
-      return std::numeric_limits<double>::infinity();
     }
     ++seen;
     return std::max(SampleBilinear(this->Distance, x, y), -floorPx);
