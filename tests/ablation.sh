@@ -35,6 +35,12 @@ objects=(
   "bunny, 2 masks grown 2 px|--mesh bunny --texture wood --mask-erode -2 --mask-erode-views 1,5"
   "bunny, calibration off 0.75 px|--mesh bunny --texture wood --calibration-noise 0.75"
   "bunny, brightness off 10 %|--mesh bunny --texture wood --gain-spread 0.1"
+  "glossy bunny from one side|--mesh bunny --light rig --gloss 0.8 --exposure 1.5 --step 12 --elevation 20 --test-angles 18,54,90,126 --defocus 0.8 --noise 2 --jpeg 75 --vignetting 0.2 --masks threshold"
+  "turntable, bust plaster|--mesh bust --texture plaster --light rig --noise 2 --jpeg 90 --calibration-noise 0.3"
+  "turntable, bust glazed|--mesh bust --texture marble --light rig --gloss 0.7 --exposure 1.3 --defocus 1 --noise 2 --jpeg 80 --masks threshold"
+  "turntable, bunny, wrong lenses|--mesh bunny --light rig --gloss 0.3 --noise 2 --jpeg 90 --calibration-noise 0.3 --focal-noise 0.002 --principal-noise 1"
+  "turntable, part wood|--mesh part --texture wood --light rig --noise 2 --jpeg 90 --elevation 20"
+  "lattice, two rings|--mesh lattice --noise 1 --jpeg 90 --elevation 15 --second-ring 20"
 )
 
 slug() { tr -cs 'a-zA-Z0-9.' '-' <<<"$1" | sed 's/-*$//'; }
@@ -85,10 +91,11 @@ out=$(cd "$out" && pwd)
 for object in "${objects[@]}"; do
   name=${object%%|*}
   read -ra options <<<"${object#*|}"
+  [[ " ${options[*]} " == *" --test-angles "* ]] || options+=(--test-angles 15,75,165,255)
   data=$out/data/$(slug "$name")
   echo "$name, photographs"
   make "$data/generate.json" "$out/data/$(slug "$name").log" \
-    "$program" generate --out "$data" --test-angles 15,75,165,255 "${options[@]}"
+    "$program" generate --out "$data" "${options[@]}"
   evaluate "$name" "$data"
 done
 if [ -n "${NOVELVIEW_TEMPLE:-}" ]; then

@@ -55,7 +55,7 @@ SynthesisOptions PresetOptions(const std::string& preset)
     options.UseDepthMaps = true;
     options.Culler.LongestEdgePx = 2;
     options.DepthMaps.UsePrediction = true;
-    options.Texture.References = 4;
+    options.Texture.References = 2;
     options.Texture.Power = 16;
     options.Texture.FeatherPx = 20;
     options.Texture.OcclusionPx = 1.5;
