@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Which part of the method is worth what: builds NovelView, generates the objects, predicts their test
 # views with every configuration below, and writes OUT/ablation.md. What is finished and newer than
-# the program is not done again, so it may be interrupted and started again. Takes about ten minutes on
+# the program is not done again, so it may be interrupted and started again. Takes about a quarter of an hour on
 # two cores. usage: [NOVELVIEW_TEMPLE=DIR] tests/ablation.sh [OUT]
 #   NOVELVIEW_TEMPLE   folder of Middlebury's templeSparseRing, see data/README.md; left out if not set
 set -euo pipefail

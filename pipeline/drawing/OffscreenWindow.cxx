@@ -40,9 +40,11 @@ namespace novelview
 {
 namespace
 {
+// Results of glewInit() when it has got everything but GLX, as it should be: with Mesa 22 it gets as
+// far as to look for a display, the OSMesa of Mesa 25 has no function for that.
 constexpr unsigned int GlewOk = 0;
-constexpr unsigned int GlewNoGlxDisplay =
-  4; // glewInit() has got everything but GLX: as it should be
+constexpr unsigned int GlewNoGlx12 = 3;
+constexpr unsigned int GlewNoGlxDisplay = 4;
 
 /** The render window of VTK on an OSMesa context that it makes and destroys. */
 class OSMesaRenderWindow : public vtkGenericOpenGLRenderWindow
@@ -68,7 +70,7 @@ public:
     if (!this->Initialized)
     {
       const unsigned int result = glewInit();
-      this->GlewInitValid = result == GlewOk || result == GlewNoGlxDisplay;
+      this->GlewInitValid = result == GlewOk || result == GlewNoGlx12 || result == GlewNoGlxDisplay;
       this->Initialized = this->GlewInitValid;
     }
   }

@@ -10,7 +10,7 @@ mkdir -p "$work"
 cpack -G DEB --config "$build/CPackConfig.cmake" -B "$work" >"$work/cpack.log" 2>&1 ||
   { cat "$work/cpack.log" >&2; exit 1; }
 package=$(echo "$work"/novelview_*.deb)
-for needed in libvtk9.1 libopencv-core libopencv-videoio libosmesa6; do
+for needed in libvtk9 libopencv-core libopencv-videoio libosmesa6; do
   dpkg-deb --field "$package" Depends | grep -q "$needed" || fail "does not depend on $needed"
 done
 root=$work/root

@@ -28,7 +28,7 @@ renderer.SetBackground(0, 0, 1)
 renderer.GetActiveCamera().SetPosition(0, 0, 5)
 pixels = novelview.offscreen.capture(renderer, 80, 60)
 # One unit above the middle, seen 5 units away at 30 degrees: 22 of the 30 rows up.
-print(pixels.shape, pixels[8, 40, 0] > 100, list(pixels[52, 40]), list(pixels[0, 0]))
+print(pixels.shape, pixels[8, 40, 0] > 100, pixels[52, 40].tolist(), pixels[0, 0].tolist())
 try:
     novelview.offscreen.capture(renderer, 0, 60)
 except novelview.Error as error:

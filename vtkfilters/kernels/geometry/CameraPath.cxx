@@ -87,7 +87,7 @@ void FitCentres(const std::vector<Camera>& cameras, CameraRing& ring)
   }
   const Vector3d mean = centres.colwise().mean();
   const Eigen::MatrixX3d apart = centres.rowwise() - mean.transpose();
-  const Eigen::JacobiSVD<Eigen::MatrixX3d> svd(apart, Eigen::ComputeThinV);
+  const Eigen::JacobiSVD<Eigen::MatrixX3d> svd(apart, Eigen::ComputeFullV);
   const Matrix3d& basis = svd.matrixV();
   if (!(svd.singularValues()[1] > 1e-3 * svd.singularValues()[0]))
   {
