@@ -96,6 +96,14 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Pixels whose photographs look from further aside than the second nearest one by this angle take
+   * their level from the surroundings (FarPixels.h); 0 = none, degrees. Default 0, range 0 to 90.
+   */
+  vtkFilterOptionMacro(FarAngle, double, FarDeg);
+  ///@}
+
+  ///@{
   /** Equalise the exposure of the photographs by their `ExposureGain`, if present. Default off. */
   vtkFilterSwitchMacro(UseExposureGains, UseGains);
   ///@}

@@ -60,6 +60,7 @@ SynthesisOptions PresetOptions(const std::string& preset)
     options.Texture.FeatherPx = 20;
     options.Texture.OcclusionPx = 1.5;
     options.Texture.UseGains = true;
+    options.Texture.FarDeg = 20;
     options.Texture.BoundarySamples = 3;
     return options;
   }
@@ -149,6 +150,10 @@ OptionTable OptionsOf(SynthesisOptions& options)
       &options.Texture.FeatherPx, TextureOptions::FeatherPxParameter)),
     OfView(ParameterOption("occlusionSoftness", "softness of the occlusion test; 0 = hard", texture,
       &options.Texture.OcclusionPx, TextureOptions::OcclusionPxParameter)),
+    OfView(ParameterOption("farAngle",
+      "pixels seen only from further aside than the second nearest photograph by this take their "
+      "level from the surroundings; 0 = none",
+      texture, &options.Texture.FarDeg, TextureOptions::FarDegParameter)),
     OfView({ "exposureGains", "bring the photographs to one exposure; needs the depth maps", "",
       texture, &options.Texture.UseGains }),
     Formerly("rimSamples",

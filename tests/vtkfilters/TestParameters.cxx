@@ -88,6 +88,7 @@ Setters Compiled()
     RANGE(vtkTsdfOutlineDeformer, SilhouettePrior),
     SWITCH(vtkTsdfOutlineDeformer, UseContourPrediction),
     RANGE_OF(vtkViewDeformer, vtkOutlineDeformer, NumberOfIterations),
+    RANGE(vtkViewDependentTextureMapper, FarAngle),
     RANGE(vtkViewDependentTextureMapper, FeatherWidth),
     RANGE(vtkViewDependentTextureMapper, OcclusionSoftness),
     RANGE(vtkViewDependentTextureMapper, Power),

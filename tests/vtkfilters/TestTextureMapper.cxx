@@ -56,6 +56,7 @@ TEST(TextureMapper, GivesTheKernelsPictureTheRightWayUp)
   mapper->SetPower(3);
   mapper->SetFeatherWidth(1);
   mapper->SetOcclusionSoftness(4);
+  mapper->SetFarAngle(1);
   mapper->SetBoundarySamples(2); // raised to 3
   mapper->Update();
   TextureOptions options;
@@ -63,6 +64,7 @@ TEST(TextureMapper, GivesTheKernelsPictureTheRightWayUp)
   options.Power = 3;
   options.FeatherPx = 1;
   options.OcclusionPx = 4;
+  options.FarDeg = 1;
   options.BoundarySamples = 3;
   const auto expected =
     TextureView(plane.Mesh, nullptr, ViewsOf(plane.Photos), plane.Novel, options);
@@ -215,6 +217,6 @@ TEST(TextureMapper, AnEmptyMeshIsABlackPicture)
 TEST(TextureMapper, PrintsEveryMember)
 {
   ExpectPrints(TheCase().Mapper(),
-    { "Camera", "References", "Power", "FeatherWidth", "OcclusionSoftness", "UseDepthMaps",
-      "UseExposureGains", "BoundarySamples" });
+    { "Camera", "References", "Power", "FeatherWidth", "OcclusionSoftness", "FarAngle",
+      "UseDepthMaps", "UseExposureGains", "BoundarySamples" });
 }

@@ -111,5 +111,5 @@ TEST(SynthesisOptionTable, HasARowForEveryMember)
     EXPECT_GT(rows, before);
   }
   EXPECT_EQ(rows, OptionsOf(options).size());
-  EXPECT_EQ(rows, 26u);
+  EXPECT_EQ(rows, 27u);
 }

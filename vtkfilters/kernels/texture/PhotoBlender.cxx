@@ -138,17 +138,23 @@ double PowerOf(double base, double power)
 }
 }
 
-bool PhotoBlender::Blend(const Vector3d& point, const Vector3d& ray, double rgb[3])
+bool PhotoBlender::Blend(
+  const Vector3d& point, const Vector3d& ray, double rgb[3], double maxCosine)
 {
   this->SortByAngle(point, ray);
   double total = 0;
   int used = 0;
   rgb[0] = rgb[1] = rgb[2] = 0;
+  this->Cosine = 0;
   for (const auto& [cosine, reference] : this->Nearest)
   {
     if (cosine <= 0 || used == this->Options.References)
     {
       break;
+    }
+    if (maxCosine < 1 && cosine > maxCosine)
+    {
+      continue;
     }
     Vector2d u;
     const double share = BlendShare(*reference, point, this->Options, u);
@@ -159,6 +165,7 @@ bool PhotoBlender::Blend(const Vector3d& point, const Vector3d& ray, double rgb[
     }
     const double gain = this->Options.UseGains ? reference->Photo->Gain : 1;
     total += weight;
+    this->Cosine += weight * cosine;
     double color[3];
     const ImageRef<const std::uint8_t>& photo = reference->Photo->Color;
     BilinearCell(u, photo.Width, photo.Height).Sample(photo, 3, color);
@@ -172,6 +179,7 @@ bool PhotoBlender::Blend(const Vector3d& point, const Vector3d& ray, double rgb[
   {
     rgb[channel] /= total;
   }
+  this->Cosine = total > 0 ? this->Cosine / total : 0;
   return total > 0;
 }
 

@@ -54,9 +54,14 @@ public:
 
   /**
    * Blends the colour of a surface point as it looks along the unit vector `ray`; false, and black,
-   * when no reference sees it.
+   * when no reference sees it. References that look along the ray with a cosine above `maxCosine`
+   * are left out.
    */
-  bool Blend(const Eigen::Vector3d& point, const Eigen::Vector3d& ray, double rgb[3]);
+  bool Blend(
+    const Eigen::Vector3d& point, const Eigen::Vector3d& ray, double rgb[3], double maxCosine = 1);
+
+  /** Of the point blended last: the weighted mean of the references' cosines. */
+  double MeanCosine() const { return this->Cosine; }
 
 private:
   void SortByAngle(const Eigen::Vector3d& point, const Eigen::Vector3d& ray);
@@ -64,6 +69,7 @@ private:
   const TextureOptions& Options;
   /** All references with the cosine to the ray, the nearest first. */
   std::vector<std::pair<double, const BlendReference*>> Nearest;
+  double Cosine = 0;
 };
 }
 

@@ -34,6 +34,12 @@ struct TextureOptions
    * model rasterised into the reference.
    */
   bool UseDepthMaps = false;
+  /**
+   * Pixels whose references look from further aside than the second nearest photograph by this much
+   * take their level from the surroundings (FarPixels.h); 0 = none.
+   */
+  static constexpr Parameter<double> FarDegParameter{ 0, 0, 90, "deg" };
+  double FarDeg = FarDegParameter.Default;
   /** Divide colours by the views' Gain. */
   bool UseGains = false;
   /** Subsamples per pixel side that decide a boundary pixel's coverage, odd; 1 = no antialiasing. */
