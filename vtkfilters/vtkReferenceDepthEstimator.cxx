@@ -50,8 +50,7 @@ void AttachComparisons(vtkMultiBlockDataSet* output, const novelview::TriangleMe
   const double noise = novelview::DepthNoise(views, footprint, execution);
   novelview::SilhouettePriorOptions prior;
   prior.Fusion = novelview::OptionsForNoise(noise).Outline;
-  // Maps that match little but noise have no business to carve.
-  prior.AcceptedLoss /= std::max(noise - 1, 1.0);
+  prior.Noise = noise;
   novelview::AttachNumber(output, novelview::arrays::DepthNoise, noise);
   novelview::FusionOptions outline = prior.Fusion;
   outline.SilhouettePrior = novelview::FindSilhouettePrior(views, hull, prior, execution);

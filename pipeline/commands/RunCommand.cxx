@@ -190,6 +190,7 @@ void RunView(const RunOptions& options, Console& console)
     [&]
     {
       WriteReport(stages, oracle, synthesis, report);
+      report.SetEstimates(synthesis.Photographs());
       report.Finish(desktop.Title);
       WriteTextAtomically(options.Out / "job.json", jobText);
       if (options.Page)

@@ -298,7 +298,28 @@ nlohmann::ordered_json RunReport::Summary() const
     summary["gap_closure"] = { { "rms", (hull->Rms - full->Rms) / (hull->Rms - oracle->Rms) },
       { "ssim", (hull->Ssim - full->Ssim) / (hull->Ssim - oracle->Ssim) } };
   }
+  if (!this->Estimates.is_null())
+  {
+    summary["estimates"] = this->Estimates;
+  }
   return summary;
+}
+
+void RunReport::SetEstimates(vtkMultiBlockDataSet* photographs)
+{
+  const double noise = AttachedNumber(photographs, arrays::DepthNoise, 0);
+  if (noise <= 0)
+  {
+    return; // no depth maps
+  }
+  std::vector<double> gains;
+  for (unsigned int viewId = 0; viewId < photographs->GetNumberOfBlocks(); ++viewId)
+  {
+    gains.push_back(AttachedNumber(ViewImage(photographs, viewId), arrays::ExposureGain, 1));
+  }
+  this->Estimates = { { "depth_noise", noise },
+    { "silhouette_prior", AttachedNumber(photographs, arrays::SilhouettePrior, 0) },
+    { "exposure_gains", gains } };
 }
 
 void RunReport::Finish(const std::string& title) const

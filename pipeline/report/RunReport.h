@@ -6,7 +6,7 @@
 #include "images/Metrics.h"
 #include "synthesis/Synthesis.h"
 
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <optional>
@@ -76,6 +76,9 @@ public:
    */
   void AddIteration(const IterationState& state, Dashboard* desktop);
 
+  /** Takes what was estimated from the photographs for summary.json; see vtkReferenceDepthEstimator. */
+  void SetEstimates(vtkMultiBlockDataSet* photographs);
+
   /** rms_outline.csv, rms_nonoutline.csv, rms.png, meshes/iterations.pvd, summary.json. */
   void Finish(const std::string& title) const;
 
@@ -104,6 +107,7 @@ private:
   std::vector<vtkSmartPointer<vtkImageData>> Images;
   std::vector<TableRow> Rows;
   std::vector<HistoryRow> History;
+  nlohmann::ordered_json Estimates; ///< null when nothing was estimated
 };
 }
 

@@ -72,6 +72,17 @@ TEST_F(BunnyRun, GapToTheTrueMeshIsTold)
   EXPECT_GT(closed, 0.5);
 }
 
+TEST_F(BunnyRun, WhatWasEstimatedFromThePhotographsIsTold)
+{
+  const nlohmann::json estimates = ReadJson(Out("run") / "summary.json").at("estimates");
+  const double noise = estimates.at("depth_noise").get<double>();
+  EXPECT_GT(noise, 0.05);
+  EXPECT_LT(noise, 1) << "photographs and cameras are exact";
+  EXPECT_GT(estimates.at("silhouette_prior").get<double>(), 0);
+  EXPECT_GE(estimates.at("exposure_gains").size(), 6u);
+  EXPECT_EQ(estimates.at("exposure_gains").at(0).get<double>(), 1) << "all have one exposure";
+}
+
 TEST_F(BunnyRun, WritesWhatIsDocumented)
 {
   const fs::path out = Out("run");

@@ -114,7 +114,7 @@ TEST(ReferenceDepthEstimator, AttachesWhatTheMapsTellOfEachOther)
   EXPECT_EQ(AttachedNumber(output, arrays::DepthNoise, -1), noise);
   SilhouettePriorOptions prior;
   prior.Fusion = OptionsForNoise(noise).Outline;
-  prior.AcceptedLoss /= std::max(noise - 1, 1.0);
+  prior.Noise = noise;
   EXPECT_EQ(AttachedNumber(output, arrays::SilhouettePrior, -1),
     FindSilhouettePrior(views, sphere.Hull, prior));
   for (unsigned int viewId = 0; viewId < views.size(); ++viewId)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fusion/FusedSilhouette.h"
+#include "fusion/SilhouettePrior.h"
 #include "fusion/SilhouetteSupport.h"
 #include "geometry/ViewSelection.h"
 #include "support/DentCase.h"
@@ -134,4 +135,33 @@ TEST(SilhouetteSupport, DoesNotDependOnThreads)
     EXPECT_EQ(one[i].Position, three[i].Position);
     EXPECT_EQ(one[i].InsidePx, three[i].InsidePx);
   }
+}
+
+TEST(SilhouettePrior, ExactMapsNeedTheLeast)
+{
+  SilhouettePriorOptions options;
+  options.Noise = 1.5; // twice that is the truncation
+  EXPECT_EQ(FindSilhouettePrior(TheDent().Views, TheDent().Mesh, options), options.Min);
+  options.Noise = 3;
+  EXPECT_NEAR(
+    FindSilhouettePrior(TheDent().Views, TheDent().Mesh, options), 4 * options.Min, 1e-12);
+}
+
+TEST(SilhouettePrior, NoisyMapsThatContradictTheSilhouettesAreOutvoted)
+{
+  // As photographs of plaster: the maps are noise, and carve struts and necks away.
+  const HollowCase hollow(0.5f);
+  SilhouettePriorOptions options;
+  options.Max = 100;
+  options.Fusion.TruncationPx = 4;
+  options.AcceptedLoss = 1e-3; // the hollow is small
+  const double needed = FindSilhouettePrior(hollow.Views, TheDent().Mesh, options);
+  ASSERT_GT(needed, 2 * options.Min);
+  options.Noise = 0.3;
+  EXPECT_EQ(FindSilhouettePrior(hollow.Views, TheDent().Mesh, options), needed);
+  options.Noise = 2;
+  EXPECT_NEAR(FindSilhouettePrior(hollow.Views, TheDent().Mesh, options),
+    options.Min + 4 * (needed - options.Min), 1e-12);
+  options.Max = 1.5 * needed;
+  EXPECT_EQ(FindSilhouettePrior(hollow.Views, TheDent().Mesh, options), options.Max);
 }

@@ -83,6 +83,26 @@ TEST(FarPixels, ASurfaceBehindAJumpInDepthKeepsItsColours)
   EXPECT_FLOAT_EQ(halves.Color(30, 5, 0), 0.5f * Halves::Stripe(30));
 }
 
+TEST(FarPixels, StepsInDepthAtTheThresholdDoNotBlowUp)
+{
+  Halves halves;
+  for (int y = 0; y < Height; ++y)
+  {
+    for (int x = 0; x < Width; ++x)
+    {
+      // Steps of 3 pixels of the nearer depth, a little more or less.
+      halves.Depth(x, y) = (x + y) % 2 ? 2.0f : 2.06f + 0.0001f * static_cast<float>(x * y % 9);
+    }
+  }
+  const std::vector<float> before = halves.Color.Values;
+  halves.Level();
+  for (std::size_t i = 0; i < before.size(); ++i)
+  {
+    EXPECT_GE(halves.Color.Values[i], before[i] * 0.99f);
+    EXPECT_LE(halves.Color.Values[i], before[i] * 2.01f) << "the ratio along the seam is 2";
+  }
+}
+
 TEST(FarPixels, WithoutASeamNothingChanges)
 {
   Halves halves;

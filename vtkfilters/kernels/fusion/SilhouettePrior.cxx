@@ -78,6 +78,11 @@ double FindSilhouettePrior(const std::vector<View>& views, const TriangleMesh& h
   {
     return options.Min;
   }
-  return std::clamp(Quantile(std::move(all), 1 - options.AcceptedLoss), options.Min, options.Max);
+  const double needed = std::max(Quantile(std::move(all), 1 - options.AcceptedLoss), options.Min);
+  const double noise = std::max(options.Noise, 1.0);
+  // Votes of maps whose deviations leave the truncation band fall on either side by chance.
+  const double beyond = std::max(2 * options.Noise / options.Fusion.TruncationPx, 1.0);
+  return std::min(
+    options.Min * beyond * beyond + (needed - options.Min) * noise * noise, options.Max);
 }
 }

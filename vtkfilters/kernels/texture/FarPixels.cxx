@@ -103,8 +103,9 @@ private:
     {
       return false;
     }
-    const double depth = this->Input.Depth(px, py);
-    return std::abs(this->Input.Depth(qx, qy) - depth) < JumpPx * depth / this->Input.FocalLength;
+    // The same answer for q and p: the matrix must be symmetric.
+    const auto [near, far] = std::minmax(this->Input.Depth(px, py), this->Input.Depth(qx, qy));
+    return far - near < JumpPx * near / this->Input.FocalLength;
   }
 
   const FarPixelInput& Input;
