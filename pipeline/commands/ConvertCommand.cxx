@@ -3,8 +3,10 @@
 
 #include "base/AtomicFile.h"
 #include "base/InputFile.h"
+#include "base/NumberText.h"
 #include "base/Parallel.h"
 #include "base/UsageError.h"
+#include "cameras/CameraGrid.h"
 #include "commands/CommandSupport.h"
 #include "dataset/Dataset.h"
 #include "dataset/ViewSpec.h"
@@ -199,6 +201,33 @@ void Transfer(Conversion& each, const DatasetFormat& format, const fs::path& out
   }
 }
 
+/**
+ * Replaces rotations to a few digits by the nearest exact ones: formats with quaternions or projection
+ * matrices would turn the rest into other errors.
+ */
+void MendRotations(
+  const DatasetIndex& index, std::vector<Photograph>& photographs, Console& console)
+{
+  constexpr double exact = 1e-10;
+  const CameraGrid grid(index.Cameras);
+  double worst = 0;
+  for (Photograph& photograph : photographs)
+  {
+    const Eigen::Matrix3d& rotation = photograph.Cam.R;
+    const double off = (rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).norm();
+    worst = std::max(worst, off);
+    if (off > exact)
+    {
+      photograph.Cam = grid.WithRotation(photograph.Cam);
+    }
+  }
+  if (worst > exact)
+  {
+    console.Info("rotations to few digits (orthonormal to " + NumberText(worst) +
+      "): the nearest exact ones are written");
+  }
+}
+
 void Report(const std::vector<Conversion>& plan, const fs::path& calibration, Console& console)
 {
   const auto undistorted =
@@ -217,7 +246,8 @@ void ConvertDataset(const ConvertOptions& options, Console& console)
   const DatasetFormat& format = FormatOf(options.Format);
   const DatasetIndex index = ReadDatasetIndex(options.Dataset, options.Source);
   WarnOf(index, console);
-  const std::vector<Photograph> photographs = WithoutExcluded(index, options.Exclude);
+  std::vector<Photograph> photographs = WithoutExcluded(index, options.Exclude);
+  MendRotations(index, photographs, console);
   const bool held = std::all_of(photographs.begin(), photographs.end(), format.HoldsLens);
   std::vector<Conversion> plan = Plan(photographs, options.Undistort || !held);
   const std::string folderName =

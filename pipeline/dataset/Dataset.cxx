@@ -5,6 +5,7 @@
 #include "base/InputFile.h"
 #include "base/NumberText.h"
 #include "base/Parallel.h"
+#include "cameras/CameraGrid.h"
 #include "cameras/CameraLimits.h"
 #include "core/Error.h"
 #include "dataset/DatasetFiles.h"
@@ -336,9 +337,10 @@ Dataset ReadDataset(const DatasetIndex& index, const DatasetOptions& options,
   {
     dataset.Warnings.push_back(note.Text);
   }
+  const CameraGrid grid(index.Cameras);
   for (std::size_t i = 0; i < cameras.size(); ++i)
   {
-    AppendView(dataset.Views, cameras[i].Name, prepared[i].Block, cameras[i].Cam);
+    AppendView(dataset.Views, cameras[i].Name, prepared[i].Block, grid.Rounded(cameras[i].Cam));
     dataset.Coverages.push_back(prepared[i].Covered);
   }
   const std::vector<std::string> warnings = Grouped(cameras, prepared);

@@ -2,6 +2,7 @@
 #include "dataset/ViewSpec.h"
 
 #include "base/UsageError.h"
+#include "cameras/CameraGrid.h"
 #include "core/Error.h"
 #include "images/ExifOrientation.h"
 #include "images/ImageFile.h"
@@ -247,7 +248,10 @@ WordTarget ViewTarget(ViewSpec& view)
   return { "VIEW", "", set, get };
 }
 
-ResolvedView ResolveViewSpec(const ViewSpec& spec, const DatasetIndex& dataset)
+namespace
+{
+/** The camera as its files have it. */
+ResolvedView Resolve(const ViewSpec& spec, const DatasetIndex& dataset)
 {
   if (spec.What == ViewSpec::Kind::None || dataset.Cameras.empty())
   {
@@ -269,9 +273,18 @@ ResolvedView ResolveViewSpec(const ViewSpec& spec, const DatasetIndex& dataset)
   }
   const Photograph& from = FindByNameOrNumber(dataset, spec.From);
   const Photograph& to = FindByNameOrNumber(dataset, spec.To);
-  const Camera start = SizedCamera(from);
-  view.Cam =
-    InterpolateOnOrbit(start, InFrame(to, start.Width, start.Height, from.Name), spec.Fraction);
+  const CameraGrid grid(dataset.Cameras);
+  const Camera start = grid.Rounded(SizedCamera(from));
+  const Camera end = grid.Rounded(InFrame(to, start.Width, start.Height, from.Name));
+  view.Cam = InterpolateOnOrbit(start, end, spec.Fraction);
+  return view;
+}
+}
+
+ResolvedView ResolveViewSpec(const ViewSpec& spec, const DatasetIndex& dataset)
+{
+  ResolvedView view = Resolve(spec, dataset);
+  view.Cam = CameraGrid(dataset.Cameras).Rounded(view.Cam);
   return view;
 }
 }

@@ -47,13 +47,6 @@ inline void RequireAsciiName(const Photograph& photograph, const std::string& fo
     }
   }
 }
-
-/** The rotation nearest to a matrix that is one to a few digits. */
-inline Eigen::Matrix3d NearestRotation(const Eigen::Matrix3d& matrix)
-{
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  return svd.matrixU() * svd.matrixV().transpose();
-}
 }
 
 #endif

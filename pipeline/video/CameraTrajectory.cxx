@@ -3,6 +3,7 @@
 
 #include "base/JsonFile.h"
 #include "base/NumberText.h"
+#include "cameras/CameraGrid.h"
 #include "core/ToInt.h"
 #include "dataset/ViewSpec.h"
 #include "geometry/CameraPath.h"
@@ -323,10 +324,11 @@ std::vector<Camera> CamerasOfFrames(const TrajectoryOptions& options, const Data
   const std::vector<Photograph> photographs = WithoutExcluded(dataset, exclude);
   const Photograph& front = photographs.front();
   const Camera first = SizedCamera(front);
+  const CameraGrid grid(dataset.Cameras);
   std::vector<Camera> cameras;
   for (const Photograph& photograph : photographs)
   {
-    cameras.push_back(InFrame(photograph, first.Width, first.Height, front.Name));
+    cameras.push_back(grid.Rounded(InFrame(photograph, first.Width, first.Height, front.Name)));
   }
   CameraRing ring;
   try
@@ -342,7 +344,7 @@ std::vector<Camera> CamerasOfFrames(const TrajectoryOptions& options, const Data
   std::vector<Camera> frames;
   for (int frame = 0; frame < count; ++frame)
   {
-    frames.push_back(ring.At(static_cast<double>(frame) / count));
+    frames.push_back(grid.Rounded(ring.At(static_cast<double>(frame) / count)));
   }
   return frames;
 }

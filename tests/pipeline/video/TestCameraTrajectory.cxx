@@ -50,6 +50,8 @@ protected:
     ExpectError([&] { this->Frames(path); }, text);
   }
 
+  static constexpr double Rounding = 1e-7; ///< cameras have steps of 2^-26 (CameraGrid)
+
   static double Apart(const Camera& a, const Camera& b)
   {
     return std::max(
@@ -67,13 +69,14 @@ TEST_F(CameraTrajectoryTest, WithoutAPathOnceRoundTheRing)
 {
   const std::vector<Camera> frames = this->Frames("");
   ASSERT_EQ(frames.size(), 72u);
-  EXPECT_LT(Apart(frames[0], OnRing(0)), 1e-9);
-  EXPECT_LT(Apart(frames[1], OnRing(5)), 1e-9); // as the photographs go, and without frame 72 = 0
-  EXPECT_LT(Apart(frames[71], OnRing(355)), 1e-9);
+  EXPECT_LT(Apart(frames[0], OnRing(0)), Rounding);
+  EXPECT_LT(
+    Apart(frames[1], OnRing(5)), Rounding); // as the photographs go, and without frame 72 = 0
+  EXPECT_LT(Apart(frames[71], OnRing(355)), Rounding);
   EXPECT_EQ(frames[0].Width, 32);
   EXPECT_EQ(frames[0].Height, 24);
   this->Options.Frames = 8;
-  EXPECT_LT(Apart(this->Frames("")[3], OnRing(135)), 1e-9);
+  EXPECT_LT(Apart(this->Frames("")[3], OnRing(135)), Rounding);
 }
 
 TEST_F(CameraTrajectoryTest, CamerasOnNoRingNeedAPath)
@@ -91,8 +94,8 @@ TEST_F(CameraTrajectoryTest, KeysByNameNumberPoseAndTarget)
       "K": [50,0,15,0,50,12,0,0,1] },
     { "frame": 14, "position": [0,0,3], "lookAt": [0,0,0], "up": [1,0,0], "fieldOfView": 90 } ] })");
   ASSERT_EQ(frames.size(), 5u);
-  EXPECT_LT(Apart(frames[0], OnRing(45)), 1e-9);
-  EXPECT_LT(Apart(frames[2], OnRing(90)), 1e-9);
+  EXPECT_LT(Apart(frames[0], OnRing(45)), Rounding);
+  EXPECT_LT(Apart(frames[2], OnRing(90)), Rounding);
   EXPECT_LT((frames[3].Centre() - Vector3d(0, 0, -5)).norm(), 1e-12);
   EXPECT_EQ(frames[3].K(0, 0), 50);
   EXPECT_LT((frames[4].OpticalAxis() - Vector3d(0, 0, -1)).norm(), 1e-12);
@@ -108,8 +111,8 @@ TEST_F(CameraTrajectoryTest, CountsFramesAsTheKeysOrTheUserSay)
   this->Options.Frames = 5;
   const std::vector<Camera> five = this->Frames(even);
   ASSERT_EQ(five.size(), 5u);
-  EXPECT_LT(Apart(five[2], OnRing(45)), 1e-9);
-  EXPECT_LT(Apart(five[4], OnRing(90)), 1e-9);
+  EXPECT_LT(Apart(five[2], OnRing(45)), Rounding);
+  EXPECT_LT(Apart(five[4], OnRing(90)), Rounding);
   this->Options.Frames = 0;
   this->Options.Fps = 10;
   EXPECT_EQ(
@@ -120,7 +123,7 @@ TEST_F(CameraTrajectoryTest, CountsFramesAsTheKeysOrTheUserSay)
   const std::vector<Camera> closed = this->Frames(R"({ "closed": true, "size": "16x20", "keys": [
     { "frame": 0, "camera": 0 }, { "frame": 4, "camera": 1 }, { "frame": 8, "camera": 2 } ]})");
   ASSERT_EQ(closed.size(), 12u);
-  EXPECT_LT(Apart(closed[8], OnRing(90)), 1e-9);
+  EXPECT_LT(Apart(closed[8], OnRing(90)), Rounding);
   EXPECT_EQ(closed[8].Width, 16);
   EXPECT_EQ(closed[8].Height, 20);
 }

@@ -196,6 +196,14 @@ Camera LookAt(const Eigen::Vector3d& centre, const Eigen::Vector3d& target,
   return camera;
 }
 
+Eigen::Matrix3d NearestRotation(const Eigen::Matrix3d& matrix)
+{
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Eigen::Matrix3d& u = svd.matrixU();
+  const Eigen::Matrix3d& v = svd.matrixV();
+  return u * Eigen::Vector3d(1, 1, (u * v.transpose()).determinant()).asDiagonal() * v.transpose();
+}
+
 Eigen::Vector3d CommonTarget(const Camera* cameras, std::size_t count)
 {
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();

@@ -46,15 +46,6 @@ Matrix3d RingFrame(const Vector3d& outwards, const Vector3d& axis)
   return frame;
 }
 
-/** The rotation nearest to a sum of rotations. */
-Matrix3d NearestRotation(const Matrix3d& sum)
-{
-  const Eigen::JacobiSVD<Matrix3d> svd(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Matrix3d& u = svd.matrixU();
-  const Matrix3d& v = svd.matrixV();
-  return u * Vector3d(1, 1, (u * v.transpose()).determinant()).asDiagonal() * v.transpose();
-}
-
 double AngleBetween(const Matrix3d& a, const Matrix3d& b)
 {
   return Eigen::AngleAxisd(a * b.transpose()).angle();
