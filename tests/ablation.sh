@@ -37,6 +37,7 @@ objects=(
   "bunny, brightness off 10 %|--mesh bunny --texture wood --gain-spread 0.1"
   "glossy bunny from one side|--mesh bunny --light rig --gloss 0.8 --exposure 1.5 --step 12 --elevation 20 --test-angles 18,54,90,126 --defocus 0.8 --noise 2 --jpeg 75 --vignetting 0.2 --masks threshold"
   "turntable, bust plaster|--mesh bust --texture plaster --light rig --noise 2 --jpeg 90 --calibration-noise 0.3"
+  "turntable, stool plaster|--mesh stool --texture plaster --light rig --noise 2 --jpeg 90 --calibration-noise 0.3"
   "turntable, bust glazed|--mesh bust --texture marble --light rig --gloss 0.7 --exposure 1.3 --defocus 1 --noise 2 --jpeg 80 --masks threshold"
   "turntable, bunny, wrong lenses|--mesh bunny --light rig --gloss 0.3 --noise 2 --jpeg 90 --calibration-noise 0.3 --focal-noise 0.002 --principal-noise 1"
   "turntable, part wood|--mesh part --texture wood --light rig --noise 2 --jpeg 90 --elevation 20"

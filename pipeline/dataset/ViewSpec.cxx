@@ -248,24 +248,24 @@ WordTarget ViewTarget(ViewSpec& view)
   return { "VIEW", "", set, get };
 }
 
-namespace
-{
-/** The camera as its files have it. */
-ResolvedView Resolve(const ViewSpec& spec, const DatasetIndex& dataset)
+ResolvedView ResolveViewSpec(const ViewSpec& spec, const DatasetIndex& dataset)
 {
   if (spec.What == ViewSpec::Kind::None || dataset.Cameras.empty())
   {
     throw UsageError("view", "none given", "nothing", Forms);
   }
+  const CameraGrid grid(dataset.Cameras);
+  ResolvedView view;
   if (spec.What == ViewSpec::Kind::File)
   {
-    return ResolveFile(spec, dataset);
+    view = ResolveFile(spec, dataset);
+    view.Cam = grid.Rounded(view.Cam);
+    return view;
   }
-  ResolvedView view;
   if (spec.What == ViewSpec::Kind::Like)
   {
     const Photograph& like = FindByNameOrNumber(dataset, spec.Name);
-    view.Cam = like.Cam;
+    view.Cam = grid.Rounded(like.Cam);
     view.HeldOut = like.Name;
     view.Truth = like;
     SetSizeFrom(view.Cam, like);
@@ -273,18 +273,9 @@ ResolvedView Resolve(const ViewSpec& spec, const DatasetIndex& dataset)
   }
   const Photograph& from = FindByNameOrNumber(dataset, spec.From);
   const Photograph& to = FindByNameOrNumber(dataset, spec.To);
-  const CameraGrid grid(dataset.Cameras);
   const Camera start = grid.Rounded(SizedCamera(from));
   const Camera end = grid.Rounded(InFrame(to, start.Width, start.Height, from.Name));
   view.Cam = InterpolateOnOrbit(start, end, spec.Fraction);
-  return view;
-}
-}
-
-ResolvedView ResolveViewSpec(const ViewSpec& spec, const DatasetIndex& dataset)
-{
-  ResolvedView view = Resolve(spec, dataset);
-  view.Cam = CameraGrid(dataset.Cameras).Rounded(view.Cam);
   return view;
 }
 }

@@ -317,14 +317,18 @@ private:
 std::vector<Camera> CamerasOfFrames(const TrajectoryOptions& options, const DatasetIndex& dataset,
   const std::vector<std::string>& exclude)
 {
+  // As they will be when they are read from the file that is written of them.
+  const CameraGrid grid(dataset.Cameras);
   if (!options.Path.empty())
   {
-    return PathReader(options, dataset).Cameras();
+    std::vector<Camera> path = PathReader(options, dataset).Cameras();
+    std::transform(path.begin(), path.end(), path.begin(),
+      [&](const Camera& camera) { return grid.Rounded(camera); });
+    return path;
   }
   const std::vector<Photograph> photographs = WithoutExcluded(dataset, exclude);
   const Photograph& front = photographs.front();
   const Camera first = SizedCamera(front);
-  const CameraGrid grid(dataset.Cameras);
   std::vector<Camera> cameras;
   for (const Photograph& photograph : photographs)
   {

@@ -3,6 +3,7 @@
 #include "silhouettes/SearchBox.h"
 #include "support/Expect.h"
 #include "support/SphereScene.h"
+#include "support/TowerScene.h"
 
 using namespace novelview;
 using namespace support;
@@ -29,6 +30,22 @@ TEST(SearchBox, SilhouettesWithoutACommonPointNameTheOddOneOut)
   photos[1].Cam.T.x() += 3; // looks past the object by three of its diameters
   ExpectError([&] { FindSearchBox(ViewsOf(photos)); },
     "view p1: its silhouette and those of the other views have no point in common");
+}
+
+TEST(SearchBox, APartBesideTheFrameIsNotCutOffByTheSideNextToIt)
+{
+  const auto photos = TowerPhotos();
+  const auto views = ViewsOf(photos);
+  const novelview::ImageRef<const std::uint8_t>& mask = views[0].Mask;
+  ASSERT_FALSE(views[0].IsObject(40, 0));
+  ASSERT_TRUE(views[0].IsObject(mask.Width - 1, mask.Height / 2));
+  EXPECT_GT(FindSearchBox(views).max().y(), TowerTop);
+  double top = 0;
+  for (const Vector3d& sample : ComputeVisualHull(views).Samples.Points)
+  {
+    top = std::max(top, sample.y());
+  }
+  EXPECT_NEAR(top, TowerTop, 0.02); // two pixels
 }
 
 TEST(SearchBox, SilhouettesThatBoundNothingNameTheOptionThatDoes)

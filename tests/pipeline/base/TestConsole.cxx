@@ -75,7 +75,10 @@ TEST(Console, OnATerminalTheBarsTimeGoesOnByItself)
 {
   int here = -1;
   int there = -1;
-  ASSERT_EQ(openpty(&here, &there, nullptr, nullptr, nullptr), 0);
+  if (openpty(&here, &there, nullptr, nullptr, nullptr) != 0)
+  {
+    GTEST_SKIP() << "no pseudo-terminal here (is /dev/pts mounted?)";
+  }
   std::FILE* terminal = ::fdopen(there, "w");
   {
     Console console(Verbosity::Normal, terminal, terminal);

@@ -16,6 +16,9 @@ namespace
 {
 using Plane = Eigen::Vector4d; ///< n.x + d >= 0 inside
 
+/** The box of the certain sides is taken unless it is so many times larger than that of all. */
+constexpr double MaxLoose = 2;
+
 struct Rectangle
 {
   int X0, Y0, X1, Y1;
@@ -40,8 +43,15 @@ std::optional<Rectangle> MaskRectangle(const View& view)
   return r.X1 < 0 ? std::nullopt : std::optional<Rectangle>(r);
 }
 
+/** Which sides of a view's rectangle bound the object. */
+enum class Sides
+{
+  Certain, ///< that reach no border, and whose neighbours do not
+  Likely   ///< that reach no border
+};
+
 /** Appends the half-spaces of one view's pyramid. */
-void AppendPyramid(const View& view, std::vector<Plane>& planes)
+void AppendPyramid(const View& view, Sides sides, std::vector<Plane>& planes)
 {
   const std::optional<Rectangle> found = MaskRectangle(view);
   if (!found)
@@ -56,19 +66,25 @@ void AppendPyramid(const View& view, std::vector<Plane>& planes)
   const Plane rowY = projection.row(1);
   const Plane rowZ = projection.row(2);
   planes.push_back(rowZ);
-  if (r.X0 > 0)
+  const bool left = r.X0 == 0;
+  const bool right = r.X1 == view.Mask.Width - 1;
+  const bool top = r.Y0 == 0;
+  const bool bottom = r.Y1 == view.Mask.Height - 1;
+  const bool columnsBound = sides == Sides::Likely || !(top || bottom);
+  const bool rowsBound = sides == Sides::Likely || !(left || right);
+  if (!left && columnsBound)
   {
     planes.push_back(rowX - (r.X0 - 1) * rowZ);
   }
-  if (r.X1 < view.Mask.Width - 1)
+  if (!right && columnsBound)
   {
     planes.push_back((r.X1 + 1) * rowZ - rowX);
   }
-  if (r.Y0 > 0)
+  if (!top && rowsBound)
   {
     planes.push_back(rowY - (r.Y0 - 1) * rowZ);
   }
-  if (r.Y1 < view.Mask.Height - 1)
+  if (!bottom && rowsBound)
   {
     planes.push_back((r.Y1 + 1) * rowZ - rowY);
   }
@@ -128,15 +144,22 @@ Outcome BoxOf(const std::vector<Plane>& planes, Eigen::AlignedBox3d& box)
   return Outcome::Bounded;
 }
 
+/** Centred on what the cameras look at and of the rig's size. */
+struct Frame
+{
+  Eigen::Vector3d Origin;
+  double Scale;
+};
+
 /**
- * Moves the planes to a frame centred on what the cameras look at and of the rig's size, and makes
- * their normals unit: the solver's exact numbers stay short and the problem well scaled.
+ * Moves the planes to a frame and makes their normals unit: the solver's exact numbers stay short
+ * and the problem well scaled.
  */
-void Normalise(std::vector<Plane>& planes, const Eigen::Vector3d& origin, double scale)
+void Normalise(std::vector<Plane>& planes, const Frame& frame)
 {
   for (Plane& plane : planes)
   {
-    plane[3] = (plane.head<3>().dot(origin) + plane[3]) / scale;
+    plane[3] = (plane.head<3>().dot(frame.Origin) + plane[3]) / frame.Scale;
     plane /= plane.head<3>().norm();
     for (int i = 0; i < 4; ++i)
     {
@@ -146,27 +169,26 @@ void Normalise(std::vector<Plane>& planes, const Eigen::Vector3d& origin, double
 }
 
 std::vector<Plane> PlanesOf(
-  const std::vector<View>& views, const View* without, const Eigen::Vector3d& origin, double scale)
+  const std::vector<View>& views, const View* without, Sides sides, const Frame& frame)
 {
   std::vector<Plane> planes;
   for (const View& view : views)
   {
     if (&view != without)
     {
-      AppendPyramid(view, planes);
+      AppendPyramid(view, sides, planes);
     }
   }
-  Normalise(planes, origin, scale);
+  Normalise(planes, frame);
   return planes;
 }
 
-[[noreturn]] void ThrowEmpty(
-  const std::vector<View>& views, const Eigen::Vector3d& origin, double scale)
+[[noreturn]] void ThrowEmpty(const std::vector<View>& views, Sides sides, const Frame& frame)
 {
   for (const View& view : views)
   {
     double ignored = 0;
-    const auto planes = PlanesOf(views, &view, origin, scale);
+    const auto planes = PlanesOf(views, &view, sides, frame);
     if (Minimise(planes, Eigen::Vector3d::UnitX(), ignored) != Outcome::Infeasible)
     {
       throw Error("view " + view.Name,
@@ -176,9 +198,8 @@ std::vector<Plane> PlanesOf(
   }
   throw Error("views", "the silhouettes have no point in common, and no single view is to blame");
 }
-}
 
-Eigen::AlignedBox3d FindSearchBox(const std::vector<View>& views)
+Frame FrameOf(const std::vector<View>& views)
 {
   std::vector<Camera> cameras;
   cameras.reserve(views.size());
@@ -192,23 +213,39 @@ Eigen::AlignedBox3d FindSearchBox(const std::vector<View>& views)
   {
     scale = std::max(scale, (camera.Centre() - origin).norm());
   }
-  if (!(scale > 0))
-  {
-    scale = 1;
-  }
+  return { origin, scale > 0 ? scale : 1 };
+}
+
+Eigen::AlignedBox3d InWorld(const Eigen::AlignedBox3d& box, const Frame& frame)
+{
+  return { frame.Origin + frame.Scale * box.min(), frame.Origin + frame.Scale * box.max() };
+}
+}
+
+Eigen::AlignedBox3d FindSearchBox(const std::vector<View>& views)
+{
+  const Frame frame = FrameOf(views);
   Eigen::AlignedBox3d box;
-  switch (BoxOf(PlanesOf(views, nullptr, origin, scale), box))
+  const std::vector<Plane> likely = PlanesOf(views, nullptr, Sides::Likely, frame);
+  const Outcome outcome = BoxOf(likely, box);
+  const std::vector<Plane> certain = PlanesOf(views, nullptr, Sides::Certain, frame);
+  Eigen::AlignedBox3d loose;
+  if (certain.size() < likely.size() && BoxOf(certain, loose) == Outcome::Bounded &&
+    (outcome == Outcome::Infeasible || loose.diagonal().norm() <= MaxLoose * box.diagonal().norm()))
+  {
+    return InWorld(loose, frame);
+  }
+  switch (outcome)
   {
     case Outcome::Infeasible:
-      ThrowEmpty(views, origin, scale);
+      ThrowEmpty(views, Sides::Likely, frame);
     case Outcome::Unbounded:
       throw Error("views",
         "the silhouettes do not bound the object on every side (the frames cut it); give a box "
-        "that "
-        "does with --hull-box");
+        "that does with --hull-box");
     case Outcome::Bounded:
       break;
   }
-  return { origin + scale * box.min(), origin + scale * box.max() };
+  return InWorld(box, frame);
 }
 }
