@@ -15,6 +15,7 @@ OptionTable OptionsOf(CheckOptions& options)
   };
   AppendOptions(table, OptionsOf(options.Input));
   table.push_back(ThreadsOption(options.Threads));
+  table.push_back(RendererOption(options.Renderer));
   return table;
 }
 

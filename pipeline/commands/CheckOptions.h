@@ -16,6 +16,7 @@ struct CheckOptions
   DatasetInput Input;
   std::filesystem::path Out; ///< gets check.json and the image of the cameras; empty = neither
   int Threads = ProgramParameters::Threads.Default;
+  RendererChoice Renderer = RendererChoice::Auto;
 };
 
 /** The table: what the options are called, their help, units and ranges. */

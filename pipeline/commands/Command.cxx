@@ -58,6 +58,10 @@ Command Single(const char* name, const char* help, const char* datasetHelp,
   {
     const Options options = make(dataset, given, WarnOn(context.Out));
     LimitThreads(options.Threads);
+    if constexpr (requires { options.Renderer; })
+    {
+      ChooseRenderer(options.Renderer);
+    }
     if constexpr (std::is_same_v<Result, bool>)
     {
       return work(options, context.Out) ? ExitCode::Ok : ExitCode::Problems;
@@ -82,6 +86,10 @@ Command Shared(const char* name, const char* help,
   {
     const Options options = make(dataset, given, WarnOn(context.Out));
     LimitThreads(options.Threads);
+    if constexpr (requires { options.Renderer; })
+    {
+      ChooseRenderer(options.Renderer);
+    }
     work(options, context.Out, context.StartProcesses(options.RankTimeoutSeconds));
     return ExitCode::Ok;
   };

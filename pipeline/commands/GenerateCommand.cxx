@@ -9,7 +9,7 @@ namespace novelview
 OptionTable OptionsOf(GenerateOptions& options)
 {
   OptionTable table = { { "out", "folder for the data set", "", "Generate", &options.Out },
-    ThreadsOption(options.Threads) };
+    ThreadsOption(options.Threads), RendererOption(options.Renderer) };
   AppendOptions(table, OptionsOf(static_cast<GeneratorOptions&>(options)));
   return table;
 }

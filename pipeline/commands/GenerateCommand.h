@@ -16,6 +16,7 @@ struct GenerateOptions : GeneratorOptions
 {
   std::filesystem::path Out;                        ///< gets the data set
   int Threads = ProgramParameters::Threads.Default; ///< 0 = one per core
+  RendererChoice Renderer = RendererChoice::Auto;
 };
 
 /** The table: what the options are called, their help, units and ranges. */

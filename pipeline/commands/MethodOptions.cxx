@@ -4,6 +4,10 @@
 #include "base/UsageError.h"
 #include "texture/TextureAtlasOptions.h"
 
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 namespace novelview
 {
 namespace fs = std::filesystem;
@@ -13,6 +17,38 @@ Option ThreadsOption(int& threads)
   // The result is the same with any number, so a written job does not hold it.
   Option option = ParameterOption(
     "threads", "threads to use; 0 = one per core", "Program", &threads, ProgramParameters::Threads);
+  option.InJob = false;
+  return option;
+}
+
+Option RendererOption(RendererChoice& renderer)
+{
+  static const std::vector<std::pair<std::string, RendererChoice>> words = {
+    { "auto", RendererChoice::Auto }, { "osmesa", RendererChoice::OSMesa },
+    { "egl", RendererChoice::Egl }, { "egl-gpu", RendererChoice::EglGpu }
+  };
+  WordTarget target{ "NAME", "auto, osmesa, egl, egl-gpu", {}, {} };
+  target.Set = [&renderer, range = target.Range](
+                 const std::string& word, const std::string& where, const PathMap&)
+  {
+    const auto found = std::find_if(
+      words.begin(), words.end(), [&word](const auto& each) { return each.first == word; });
+    if (found == words.end())
+    {
+      throw UsageError(where, "is not a renderer", "'" + word + "'", range);
+    }
+    renderer = found->second;
+  };
+  target.Get = [&renderer](const PathMap&)
+  {
+    return std::find_if(
+      words.begin(), words.end(), [&renderer](const auto& each) { return each.second == renderer; })
+      ->first;
+  };
+  Option option{ "renderer",
+    "OpenGL for pictures of scenes and charts: OSMesa, EGL's software device (auto = the first of "
+    "them that is installed), or EGL's first graphics card",
+    "", "Program", target };
   option.InJob = false;
   return option;
 }
@@ -38,6 +74,7 @@ OptionTable WithMethod(OptionTable table, MethodOptions& options)
   AppendOptions(table, OptionsOf(options.Synthesis));
   AppendOptions(table, OptionsOf(options.Input));
   table.push_back(ThreadsOption(options.Threads));
+  table.push_back(RendererOption(options.Renderer));
   return table;
 }
 

@@ -3,6 +3,7 @@
 #define novelview_MethodOptions_h
 
 #include "dataset/DatasetInput.h"
+#include "drawing/OpenGLLibrary.h"
 #include "options/Options.h"
 #include "synthesis/SynthesisOptions.h"
 
@@ -24,6 +25,7 @@ struct MethodOptions
   DatasetInput Input;
   Stage UpTo = Stage::Full;
   int Threads = ProgramParameters::Threads.Default; ///< 0 = one per core
+  RendererChoice Renderer = RendererChoice::Auto;
   SynthesisOptions Synthesis;
 
   /** The stage options that a preset stands for; a command may have others. */
@@ -31,6 +33,7 @@ struct MethodOptions
 };
 
 Option ThreadsOption(int& threads);
+Option RendererOption(RendererChoice& renderer);
 Option RankTimeoutOption(int& seconds);
 Option TextureSizeOption(int& sizePx, const char* group);
 

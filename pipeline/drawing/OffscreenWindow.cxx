@@ -3,6 +3,7 @@
 
 #include "base/AddressSpace.h"
 #include "core/Error.h"
+#include "drawing/OpenGLLibrary.h"
 
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkImageData.h>
@@ -12,111 +13,107 @@
 #include <vtkRenderer.h>
 #include <vtkRendererCollection.h>
 #include <vtkUnsignedCharArray.h>
+#include <vtkVersion.h>
 
-#include <GL/osmesa.h>
+#include <GL/gl.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
+#include <memory>
 #include <mutex>
 
-extern "C"
-{
-  unsigned int glewInit();
-
-  /**
-   * GLEW calls this function for every OpenGL function after version 1.1. The one of GLX would
-   * answer with functions that need a display; this one stands before it in the search order.
-   */
-  __attribute__((visibility("default"))) void (*glXGetProcAddressARB(const unsigned char* name))()
-  {
-    return reinterpret_cast<void (*)()>(OSMesaGetProcAddress(reinterpret_cast<const char*>(name)));
-  }
-}
+// Up to 9.3, VTK has OpenGL's functions from GLEW; later versions load them themselves.
+#define NOVELVIEW_VTK_USES_GLEW (VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 4, 0))
+#if NOVELVIEW_VTK_USES_GLEW
+extern "C" unsigned int glewInit();
+#endif
 
 namespace novelview
 {
 namespace
 {
-// Results of glewInit() when it has got everything but GLX, as it should be: with Mesa 22 it gets as
-// far as to look for a display, the OSMesa of Mesa 25 has no function for that.
-constexpr unsigned int GlewOk = 0;
-constexpr unsigned int GlewNoGlx12 = 3;
-constexpr unsigned int GlewNoGlxDisplay = 4;
-
-/** The render window of VTK on an OSMesa context that it makes and destroys. */
-class OSMesaRenderWindow : public vtkGenericOpenGLRenderWindow
+/** The render window of VTK on a context that it owns. */
+class ContextRenderWindow : public vtkGenericOpenGLRenderWindow
 {
 public:
-  static OSMesaRenderWindow* New();
-  vtkTypeMacro(OSMesaRenderWindow, vtkGenericOpenGLRenderWindow);
+  static ContextRenderWindow* New();
+  vtkTypeMacro(ContextRenderWindow, vtkGenericOpenGLRenderWindow);
 
-  /** False when OSMesa gives no context. */
-  bool CreateContext()
+  /** Throws Error when there is none. */
+  void CreateContext()
   {
-    const std::array<int, 13> attributes = { OSMESA_FORMAT, OSMESA_RGBA, OSMESA_DEPTH_BITS, 24,
-      OSMESA_STENCIL_BITS, 8, OSMESA_PROFILE, OSMESA_CORE_PROFILE, OSMESA_CONTEXT_MAJOR_VERSION, 3,
-      OSMESA_CONTEXT_MINOR_VERSION, 2, 0 };
-    this->Context = OSMesaCreateContextAttribs(attributes.data(), nullptr);
-    return this->Context && this->BindContext();
+    this->Context = ChosenOpenGLLibrary().NewContext();
+    if (!this->Context->MakeCurrent())
+    {
+      throw Error("offscreen rendering",
+        ChosenOpenGLLibrary().Name() + "'s OpenGL context cannot be made current");
+    }
   }
 
-  bool HasOpenGL() const { return this->GlewInitValid; }
+  bool HasOpenGL() const { return this->Loaded; }
 
   void OpenGLInitContext() override
   {
-    if (!this->Initialized)
+    if (this->Loaded)
     {
-      const unsigned int result = glewInit();
-      this->GlewInitValid = result == GlewOk || result == GlewNoGlx12 || result == GlewNoGlxDisplay;
-      this->Initialized = this->GlewInitValid;
+      return;
     }
+#if NOVELVIEW_VTK_USES_GLEW
+    // Results of glewInit() when it has got everything but GLX, as it should be: with Mesa 22 it gets
+    // as far as to look for a display, the OSMesa of Mesa 25 has no function for that.
+    constexpr unsigned int ok = 0;
+    constexpr unsigned int noGlx12 = 3;
+    constexpr unsigned int noGlxDisplay = 4;
+    const unsigned int result = glewInit();
+    this->GlewInitValid = result == ok || result == noGlx12 || result == noGlxDisplay;
+    this->Initialized = this->GlewInitValid;
+    this->Loaded = this->GlewInitValid;
+#else
+    this->SetOpenGLSymbolLoader([](void*, const char* name)
+      { return reinterpret_cast<VTKOpenGLAPIProc>(ChosenOpenGLLibrary().Function(name)); },
+      nullptr);
+    this->Superclass::OpenGLInitContext();
+    this->Loaded = true;
+#endif
   }
 
   void MakeCurrent() override
   {
     if (this->Context)
     {
-      this->BindContext();
+      this->Context->MakeCurrent();
     }
   }
 
-  bool IsCurrent() override { return this->Context && OSMesaGetCurrentContext() == this->Context; }
+  bool IsCurrent() override
+  {
+    return this->Context && this->Context->IsCurrent();
+  }
 
 protected:
-  OSMesaRenderWindow() = default;
-  ~OSMesaRenderWindow() override
+  ContextRenderWindow() = default;
+  ~ContextRenderWindow() override
   {
     if (this->Context)
     {
-      this->BindContext();
+      this->Context->MakeCurrent();
       // Renderers that live on must let go of their graphics while the context still exists.
       while (vtkRenderer* renderer = this->Renderers->GetFirstRenderer())
       {
         this->RemoveRenderer(renderer);
       }
       this->Finalize();
-      OSMesaDestroyContext(this->Context);
-      this->Context = nullptr;
+      this->Context.reset();
     }
   }
 
 private:
-  // VTK draws into its own frame buffers, so that the one of the context may stay tiny.
-  static constexpr int BufferSize = 8;
-
-  bool BindContext()
-  {
-    return OSMesaMakeCurrent(this->Context, this->Buffer.data(), GL_UNSIGNED_BYTE, BufferSize,
-             BufferSize) == GL_TRUE;
-  }
-
-  OSMesaContext Context = nullptr;
-  std::array<unsigned char, 4 * BufferSize * BufferSize> Buffer{};
+  bool Loaded = false;
+  std::unique_ptr<OpenGLContext> Context;
 };
-vtkStandardNewMacro(OSMesaRenderWindow);
+vtkStandardNewMacro(ContextRenderWindow);
 
 /** llvmpipe crashes or hangs without memory, so the memory is reserved before. */
 void RequireMemoryToDraw(int width, int height)
@@ -149,17 +146,15 @@ OffscreenWindow::OffscreenWindow(int width, int height)
     throw Error(where, "picture size is not positive", SizeText(width, height), "at least 1x1");
   }
   RequireMemoryToDraw(width, height);
-  vtkNew<OSMesaRenderWindow> window;
+  vtkNew<ContextRenderWindow> window;
   window->SetSize(width, height);
-  if (!window->CreateContext())
-  {
-    throw Error(where, "OSMesa gives no OpenGL context (version 3.2, core profile)");
-  }
+  window->CreateContext();
   const std::string version = GLText(GL_VERSION);
   if (version.empty())
   {
     throw Error(where,
-      "OpenGL reports no version: OSMesa is not the OpenGL library that the program has bound to");
+      "OpenGL reports no version: the program has bound to another OpenGL library than " +
+        ChosenOpenGLLibrary().Name());
   }
   GLint largest = 0;
   glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largest);
@@ -168,13 +163,15 @@ OffscreenWindow::OffscreenWindow(int width, int height)
     throw Error(where, "picture is larger than the driver can do", SizeText(width, height),
       "at most " + SizeText(largest, largest));
   }
-  this->Name = GLText(GL_RENDERER) + ", OpenGL " + version;
+  this->Name = ChosenOpenGLLibrary().Name() + ": " + GLText(GL_RENDERER) + ", OpenGL " + version;
   window->SetReadyForRendering(true);
   window->SetMultiSamples(0);
+  window->OpenGLInitContext(); // VTK 9.4 and later want it before OpenGLInit()
   window->OpenGLInit();
   if (!window->HasOpenGL())
   {
-    throw Error(where, "the functions of OpenGL cannot be loaded from OSMesa");
+    throw Error(
+      where, "the functions of OpenGL cannot be loaded from " + ChosenOpenGLLibrary().Name());
   }
   this->Render = window;
   this->ProveItDraws();

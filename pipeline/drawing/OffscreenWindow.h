@@ -13,8 +13,7 @@ class vtkRenderer;
 namespace novelview
 {
 /**
- * A VTK render window without a display: software OpenGL in memory (OSMesa), in a context that
- * belongs to the window. The only file of the project that creates OpenGL contexts.
+ * A VTK render window without a display, in an OpenGL context of its own (OpenGLLibrary.h).
  *
  * Several windows may exist at the same time, of any size that the driver supports. DISPLAY is
  * never read. Windows are used from one thread. A renderer belongs to one window at a time and must
