@@ -351,3 +351,21 @@ TEST_F(Outputs, EverySignalThatEndsProgramsEndsARunInOrder)
     EXPECT_THAT(HalfWritten(out), testing::IsEmpty()) << name;
   }
 }
+
+TEST_F(Outputs, OSMesaAndEglDrawTheSamePhotographs)
+{
+  const auto generated = [this](const char* renderer)
+  {
+    const fs::path out = this->Folder / renderer;
+    const ProcessEnd end = RunShell(ShellQuoted(NOVELVIEW_PROGRAM) +
+      " generate --mesh torus --texture marble --views 2 --size 160x120 --verbose --renderer " +
+      std::string(renderer) + " --out " + ShellQuoted(out.string()));
+    EXPECT_EQ(end.Code, 0) << end.Err;
+    return std::pair(ReadText(out / "torus0001.png"), end.Out + end.Err);
+  };
+  const auto [osmesa, saidOfOSMesa] = generated("osmesa");
+  const auto [egl, saidOfEgl] = generated("egl");
+  EXPECT_THAT(saidOfOSMesa, HasSubstr("offscreen rendering with OSMesa: llvmpipe"));
+  EXPECT_THAT(saidOfEgl, HasSubstr("offscreen rendering with EGL: llvmpipe"));
+  EXPECT_TRUE(osmesa == egl) << "the same rasteriser makes other bits";
+}

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Pictures of VTK scenes without a display.
 
-The distribution's VTK draws into windows of an X server. Importing this module makes OSMesa, which
-draws in memory, the OpenGL of the process; so it must be imported before VTK's OpenGL is (`import
+The distribution's VTK draws into windows of an X server. Importing this module makes OSMesa or EGL,
+which draw in memory, the OpenGL of the process; so it must be imported before VTK's OpenGL is (`import
 vtk` does that), and no windows can be opened in the same process. `import novelview` alone loads no
 OpenGL.
 """
@@ -16,7 +16,7 @@ if "vtkmodules.vtkRenderingOpenGL2" in sys.modules:
         "which has already chosen its OpenGL"
     )
 
-# OSMesa stands before the system's OpenGL for everything that is loaded from now on.
+# The functions of this library stand before the system's OpenGL for everything that is loaded from now on.
 _flags = sys.getdlopenflags()
 sys.setdlopenflags(_flags | os.RTLD_GLOBAL)
 try:
