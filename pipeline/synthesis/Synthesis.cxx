@@ -118,10 +118,17 @@ public:
     {
       return crust;
     }
-    this->Filters.Refiner->SetInputData(0, crust);
-    this->Filters.Refiner->SetInputData(1, this->Photographs());
-    this->Run("mesh", this->Filters.Refiner);
-    return this->Filters.Refiner->GetOutput();
+    vtkDepthMapFuser* fuser = this->Filters.Fuser;
+    fuser->SetInputData(0, crust);
+    fuser->SetInputData(1, this->Photographs());
+    this->Run("mesh", fuser);
+    if (const int dropped = fuser->GetNumberOfDroppedComponents(); dropped > 0)
+    {
+      this->Warn("mesh: " + std::to_string(dropped) + " smaller component(s) with " +
+        std::to_string(fuser->GetNumberOfDroppedTriangles()) +
+        " triangles left out; --hull-keep-all keeps them");
+    }
+    return fuser->GetOutput();
   }
 
   /** With `all`, every stage is textured; otherwise only the last. */

@@ -25,7 +25,7 @@ FILTERS = [
     "vtkTextureAtlasGenerator",
     "vtkTsdfNonOutlineDeformer",
     "vtkTsdfOutlineDeformer",
-    "vtkWholeObjectRefiner",
+    "vtkDepthMapFuser",
     "vtkSilhouetteFilter",
     "vtkViewsReader",
     "vtkNovelViewSynthesiser",
@@ -71,7 +71,7 @@ class Classes(unittest.TestCase):
             "vtkOutlineDeformer": (2, 1),
             "vtkViewDependentTextureMapper": (3, 1),
             "vtkTextureAtlasGenerator": (2, 3),
-            "vtkWholeObjectRefiner": (2, 1),
+            "vtkDepthMapFuser": (2, 1),
             "vtkNovelViewSynthesiser": (1, 2),
             "vtkViewsReader": (0, 1),
         }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the headers of the filters say about defaults and ranges is what the filters do.
 #include "vtkCameraRefiner.h"
+#include "vtkDepthMapFuser.h"
 #include "vtkNonOutlineDeformer.h"
 #include "vtkOutlineDeformer.h"
 #include "vtkPowerCrustMesher.h"
@@ -11,7 +12,6 @@
 #include "vtkViewDependentTextureMapper.h"
 #include "vtkVisibilityCuller.h"
 #include "vtkVisualHullSource.h"
-#include "vtkWholeObjectRefiner.h"
 
 #include <vtkNew.h>
 
@@ -60,6 +60,9 @@ Setters Compiled()
 {
   return {
     RANGE(vtkCameraRefiner, MinGain),
+    RANGE(vtkDepthMapFuser, DepthNoise),
+    SWITCH(vtkDepthMapFuser, KeepAllComponents),
+    RANGE(vtkDepthMapFuser, SampleSpacing),
     RANGE(vtkNonOutlineDeformer, MatchRange),
     RANGE(vtkNonOutlineDeformer, SearchRange),
     RANGE(vtkNonOutlineDeformer, SmoothWeight),
@@ -100,7 +103,6 @@ Setters Compiled()
     RANGE(vtkVisibilityCuller, Tolerance),
     SWITCH(vtkVisualHullSource, KeepAllComponents),
     RANGE(vtkVisualHullSource, SampleSpacing),
-    RANGE(vtkWholeObjectRefiner, DepthNoise),
   };
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "texture/TextureAtlas.h"
 
-#include "fusion/ModelRefinement.h"
 #include "support/Scene.h"
 
 #include <gtest/gtest.h>
@@ -212,44 +211,4 @@ TEST(TextureAtlas, AnotherSplitOfTheLoopsGivesTheSameBits)
   const TextureAtlas other = MakeTextureAtlas(ball.Mesh, ball.Views, {}, backwards);
   EXPECT_EQ(one.Picture.Values, other.Picture.Values);
   EXPECT_EQ(one.TexCoords, other.TexCoords);
-}
-
-TEST(ModelRefinement, TakesAHullThatIsTooLargeBackToTheSurface)
-{
-  const Ball ball;
-  std::vector<View> views = ball.Views;
-  std::vector<Image<float>> sure;
-  sure.reserve(views.size());
-  for (std::size_t i = 0; i < views.size(); ++i)
-  {
-    views[i].DepthMap = ball.Photos[i].TrueDepth.Ref();
-    sure.emplace_back(views[i].Cam.Width, views[i].Cam.Height, 1, 1.f);
-    views[i].Confidence = std::as_const(sure.back()).Ref();
-  }
-  const TriangleMesh hull = SphereMesh(Vector3d::Zero(), 0.55, 4);
-  const TriangleMesh model = RefineModel(hull, views);
-  ASSERT_EQ(model.Triangles, hull.Triangles);
-  double worst = 0;
-  for (const Vector3d& point : model.Points)
-  {
-    // Nearer the poles the cameras of the ring graze the surface.
-    worst = std::abs(point.y()) < 0.3 ? std::max(worst, std::abs(point.norm() - 0.5)) : worst;
-  }
-  // It began 0.05, that is six pixels, away. A pixel is 0.009 at the surface, and what is read from
-  // the nearest pixel of a map is off by up to half of one at each side.
-  EXPECT_LT(worst, 0.009);
-}
-
-TEST(ModelRefinement, MissingDepthMapsAreAnErrorThatNamesTheView)
-{
-  const Ball ball(1);
-  try
-  {
-    RefineModel(ball.Mesh, ball.Views);
-    FAIL();
-  }
-  catch (const Error& error)
-  {
-    EXPECT_STREQ(error.what(), "view p0: point array Depth or Confidence is missing");
-  }
 }
