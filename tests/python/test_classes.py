@@ -26,6 +26,7 @@ FILTERS = [
     "vtkTsdfNonOutlineDeformer",
     "vtkTsdfOutlineDeformer",
     "vtkDepthMapFuser",
+    "vtkMeshSimplifier",
     "vtkSilhouetteFilter",
     "vtkViewsReader",
     "vtkNovelViewSynthesiser",
@@ -72,6 +73,7 @@ class Classes(unittest.TestCase):
             "vtkViewDependentTextureMapper": (3, 1),
             "vtkTextureAtlasGenerator": (2, 3),
             "vtkDepthMapFuser": (2, 1),
+            "vtkMeshSimplifier": (1, 1),
             "vtkNovelViewSynthesiser": (1, 2),
             "vtkViewsReader": (0, 1),
         }

@@ -2,6 +2,7 @@
 // What the headers of the filters say about defaults and ranges is what the filters do.
 #include "vtkCameraRefiner.h"
 #include "vtkDepthMapFuser.h"
+#include "vtkMeshSimplifier.h"
 #include "vtkNonOutlineDeformer.h"
 #include "vtkOutlineDeformer.h"
 #include "vtkPowerCrustMesher.h"
@@ -63,6 +64,7 @@ Setters Compiled()
     RANGE(vtkDepthMapFuser, DepthNoise),
     SWITCH(vtkDepthMapFuser, KeepAllComponents),
     RANGE(vtkDepthMapFuser, SampleSpacing),
+    RANGE(vtkMeshSimplifier, NumberOfTriangles),
     RANGE(vtkNonOutlineDeformer, MatchRange),
     RANGE(vtkNonOutlineDeformer, SearchRange),
     RANGE(vtkNonOutlineDeformer, SmoothWeight),

@@ -143,6 +143,8 @@ TEST(TextureAtlas, PolesThatNoCameraSeesTakeColoursFromAround)
   const std::vector<Photo> photos = TakeAll(Sphere(Vector3d::Zero(), 0.5), red, Ring(8, 45));
   const TextureAtlas atlas = MakeTextureAtlas(ball.Mesh, ViewsOf(photos));
   EXPECT_LT(atlas.SeenShare, 1) << "the poles cannot be seen";
+  EXPECT_LT(atlas.UsedShare, 0.95) << "round charts leave corners, and each has padding";
+  EXPECT_GT(atlas.UsedShare, 0.2);
   EXPECT_GT(atlas.SeenShare, 0.5) << "but most of the ball can";
   for (std::size_t cellId = 0; cellId < atlas.Mesh.Triangles.size(); ++cellId)
   {
@@ -211,4 +213,41 @@ TEST(TextureAtlas, AnotherSplitOfTheLoopsGivesTheSameBits)
   const TextureAtlas other = MakeTextureAtlas(ball.Mesh, ball.Views, {}, backwards);
   EXPECT_EQ(one.Picture.Values, other.Picture.Values);
   EXPECT_EQ(one.TexCoords, other.TexCoords);
+}
+
+TEST(TextureAtlas, LargeTrianglesShowTheTextureWhereRenderersLookForIt)
+{
+  // Two triangles that reach from near the camera far away.
+  const Shape rectangle = Rectangle(0.5, 0.5);
+  std::vector<Photo> photos =
+    TakeAll(rectangle, Waves(0.8), { OnRing(50, 0, 1.5, SmallPictureK(130)) });
+  const std::vector<View> views = ViewsOf(photos);
+  TriangleMesh mesh;
+  mesh.Points = { { -0.5, -0.5, 0 }, { 0.5, -0.5, 0 }, { 0.5, 0.5, 0 }, { -0.5, 0.5, 0 } };
+  mesh.Triangles = { { 0, 1, 2 }, { 0, 2, 3 } };
+  const TextureAtlas atlas = MakeTextureAtlas(mesh, views);
+  for (std::size_t cellId = 0; cellId < mesh.Triangles.size(); ++cellId)
+  {
+    for (const Vector3d& weights : { Vector3d(0.4, 0.3, 0.3), Vector3d(0.2, 0.6, 0.2) })
+    {
+      Vector3d point = Vector3d::Zero();
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        point += weights[corner] * mesh.Points[mesh.Triangles[cellId][corner]];
+      }
+      // With the photograph's perspective the colours came from a tenth of the side away.
+      EXPECT_LT((ColourAt(atlas, cellId, weights) - Waves(0.8)(point)).norm(), 10);
+    }
+  }
+}
+
+TEST(TextureAtlas, SurfacesAtGrazingIncidenceHaveTheColoursOfTheirPhotographs)
+{
+  // The only camera looks at the rectangle from 75 degrees aside.
+  std::vector<Photo> photos = TakeAll(Rectangle(0.5, 0.5), Waves(0.8), { OnRing(75) });
+  TriangleMesh mesh;
+  mesh.Points = { { -0.3, -0.3, 0 }, { 0.3, -0.3, 0 }, { 0.3, 0.3, 0 }, { -0.3, 0.3, 0 } };
+  mesh.Triangles = { { 0, 1, 2 }, { 0, 2, 3 } };
+  const TextureAtlas atlas = MakeTextureAtlas(mesh, ViewsOf(photos));
+  EXPECT_EQ(atlas.SeenShare, 1) << "none was seen when weights of cos^16 were too small to count";
 }
