@@ -48,7 +48,7 @@ FusionOptions FusionFor(double noise)
 {
   FusionOptions options;
   options.TruncationPx = std::clamp(1.9 + 4 * noise, 2.5, 6.0);
-  options.SurfacePrior = std::clamp(0.5 * noise - 0.03, 0.05, 1.0);
+  options.SurfacePrior = std::clamp(noise * noise, 0.05, 1.0);
   return options;
 }
 
