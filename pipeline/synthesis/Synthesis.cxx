@@ -119,6 +119,15 @@ public:
       return crust;
     }
     vtkDepthMapFuser* fuser = this->Filters.Fuser;
+    const double given = fuser->GetDepthNoise();
+    const double noise =
+      given > 0 ? given : AttachedNumber(this->Photographs(), arrays::DepthNoise, 0);
+    if (noise > FusedSurfaceOptions::MaxDepthNoise)
+    {
+      this->Warn("mesh: depth maps of neighbouring photographs differ by " + Pixels(noise) +
+        ", too much to be fused; the mesh is the power crust of the hull");
+      return crust;
+    }
     fuser->SetInputData(0, crust);
     fuser->SetInputData(1, this->Photographs());
     this->Run("mesh", fuser);

@@ -16,6 +16,8 @@ struct FusedSurfaceOptions
   /** Error of the depth maps: truncation and prior grow with it. 0 = exact; of a filter, as measured. */
   static constexpr Parameter<double> DepthNoiseParameter{ 0, 0, 10, "pixel footprints" };
   double DepthNoise = DepthNoiseParameter.Default;
+  /** Noisier maps match little but sensor noise, and carve where there is surface. */
+  static constexpr double MaxDepthNoise = 1.5;
 
   /** Whether every component stays, not only the one with the most triangles. */
   bool KeepAllComponents = false;
