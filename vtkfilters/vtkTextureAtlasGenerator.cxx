@@ -113,6 +113,7 @@ int vtkTextureAtlasGenerator::RequestData(
 {
   this->NumberOfCharts = 0;
   this->SeenShare = 0;
+  this->UsedShare = 0;
   return novelview::RunGuarded(this, outputs,
     [&]
     {
@@ -136,6 +137,7 @@ int vtkTextureAtlasGenerator::RequestData(
       texture->GetPointData()->SetActiveScalars(novelview::arrays::Color);
       this->NumberOfCharts = atlas.Charts;
       this->SeenShare = atlas.SeenShare;
+      this->UsedShare = atlas.UsedShare;
     });
 }
 
@@ -158,4 +160,5 @@ void vtkTextureAtlasGenerator::PrintSelf(ostream& os, vtkIndent indent)
   this->PrintOptions(os, indent);
   os << indent << "NumberOfCharts: " << this->NumberOfCharts << "\n";
   os << indent << "SeenShare: " << this->SeenShare << "\n";
+  os << indent << "UsedShare: " << this->UsedShare << "\n";
 }

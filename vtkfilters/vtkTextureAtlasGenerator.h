@@ -62,7 +62,7 @@ public:
   ///@}
 
   ///@{
-  /** The exponent m of the weights. Default 16, range 0 to 64. */
+  /** The exponent m of the weights. Default 4, range 0 to 64. */
   vtkFilterOptionMacro(Power, double, Texture.Power);
   ///@}
 
@@ -93,9 +93,13 @@ public:
   vtkImageData* GetTexture();
 
   ///@{
-  /** Of the last update: charts, and the part of their texels that a photograph sees, 0 to 1. */
+  /**
+   * Of the last update: charts, the part of their texels that a photograph sees, and the part of
+   * the texture that they cover, 0 to 1.
+   */
   vtkGetMacro(NumberOfCharts, int);
   vtkGetMacro(SeenShare, double);
+  vtkGetMacro(UsedShare, double);
   ///@}
 
 protected:
@@ -110,6 +114,7 @@ protected:
 
   int NumberOfCharts = 0;
   double SeenShare = 0;
+  double UsedShare = 0;
 
 private:
   vtkTextureAtlasGenerator(const vtkTextureAtlasGenerator&) = delete;

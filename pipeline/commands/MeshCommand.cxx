@@ -7,12 +7,31 @@
 #include "commands/CommandSupport.h"
 #include "mesh/Model.h"
 #include "mesh/ModelFile.h"
+#include "vtkMeshSimplifier.h"
 
 #include <spdlog/fmt/fmt.h>
+#include <vtkNew.h>
 
 namespace novelview
 {
 namespace fs = std::filesystem;
+namespace
+{
+/** What was made of the mesh, in one line. */
+void ReportMesh(vtkMeshSimplifier* simplifier, Console& console)
+{
+  vtkPolyData* mesh = simplifier->GetOutput();
+  const vtkIdType before = vtkPolyData::SafeDownCast(simplifier->GetInput())->GetNumberOfPolys();
+  if (mesh->GetNumberOfPolys() < before)
+  {
+    console.Info(
+      fmt::format("mesh: simplified from {} triangles, at most {:.3f} % of its diagonal away",
+        before, 100 * simplifier->GetMaximumDistance() / mesh->GetLength()));
+  }
+  console.Info(fmt::format("mesh: closed manifold of genus {}, {} pairs of triangles intersect",
+    simplifier->GetGenus(), simplifier->GetNumberOfSelfIntersections()));
+}
+}
 
 void PrepareModelFiles(const std::vector<fs::path>& files)
 {
@@ -35,10 +54,10 @@ void WriteModelFiles(vtkPolyData* mesh, vtkMultiBlockDataSet* views,
     MakeTexturedModel(mesh, views, synthesis, textureSizePx, listener.Progress, listener.StageDone);
   int size[3];
   model.Texture->GetDimensions(size);
-  console.Info(fmt::format(
-    "mesh: {} points, {} triangles; texture {} x {} px, {} charts, {:.1f} % seen by a photograph",
+  console.Info(fmt::format("mesh: {} points, {} triangles; texture {} x {} px, {} charts cover "
+                           "{:.0f} %, {:.1f} % of it seen by a photograph",
     model.Mesh->GetNumberOfPoints(), model.Mesh->GetNumberOfPolys(), size[0], size[1], model.Charts,
-    100 * model.SeenShare));
+    100 * model.UsedShare, 100 * model.SeenShare));
   console.RunTimed("mesh files",
     [&]
     {
@@ -58,8 +77,14 @@ void MakeMesh(const MeshOptions& options, Console& console)
   const Dataset dataset = ReadInput(options.Input, index, {}, console);
   Synthesis synthesis(dataset.Views, options.Synthesis, ListenerFor(console));
   vtkMultiBlockDataSet* views = synthesis.Photographs();
-  WriteModelFiles(synthesis.WholeObject(options.UpTo), views, options.Synthesis,
-    options.TextureSizePx, options.Out, console);
+  vtkNew<vtkMeshSimplifier> simplifier;
+  simplifier->SetInputData(synthesis.WholeObject(options.UpTo));
+  simplifier->SetOptions(options.Simplification);
+  const SynthesisListener listener = ListenerFor(console);
+  RunStage("mesh check", simplifier, listener.Progress, listener.StageDone);
+  ReportMesh(simplifier, console);
+  WriteModelFiles(
+    simplifier->GetOutput(), views, options.Synthesis, options.TextureSizePx, options.Out, console);
   console.Summary();
 }
 }

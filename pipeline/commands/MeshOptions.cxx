@@ -12,6 +12,8 @@ OptionTable OptionsOf(MeshOptions& options)
   const char* const mesh = "Mesh";
   OptionTable table = {
     { "out", "files for the mesh: " + ModelFileKinds(), "", mesh, &options.Out },
+    ParameterOption("simplify", "triangles to leave; 0 = all", mesh,
+      &options.Simplification.Triangles, MeshSimplificationOptions::TrianglesParameter),
     TextureSizeOption(options.TextureSizePx, mesh),
   };
   return WithMethod(std::move(table), options);

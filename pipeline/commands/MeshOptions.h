@@ -3,6 +3,7 @@
 #define novelview_MeshOptions_h
 
 #include "commands/MethodOptions.h"
+#include "geometry/MeshSimplificationOptions.h"
 #include "texture/TextureAtlasOptions.h"
 
 #include <filesystem>
@@ -14,6 +15,7 @@ namespace novelview
 struct MeshOptions : MethodOptions
 {
   std::vector<std::filesystem::path> Out; ///< files, see ModelFile.h
+  MeshSimplificationOptions Simplification;
   /** Of the texture, at most. */
   int TextureSizePx = TextureAtlasOptions::LargestSidePxParameter.Default;
 };

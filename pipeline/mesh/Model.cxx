@@ -7,6 +7,8 @@
 
 #include <vtkNew.h>
 
+#include <algorithm>
+
 namespace novelview
 {
 TexturedModel MakeTexturedModel(vtkPolyData* mesh, vtkMultiBlockDataSet* views,
@@ -18,7 +20,7 @@ TexturedModel MakeTexturedModel(vtkPolyData* mesh, vtkMultiBlockDataSet* views,
   generator->SetInputData(1, views);
   generator->SetTextureSize(textureSizePx);
   generator->SetReferences(options.Texture.References);
-  generator->SetPower(options.Texture.Power);
+  generator->SetPower(std::min(options.Texture.Power, TextureAtlasOptions::MaxPower));
   generator->SetFeatherWidth(options.Texture.FeatherPx);
   generator->SetOcclusionSoftness(options.Texture.OcclusionPx);
   generator->SetUseExposureGains(options.Texture.UseGains);
@@ -30,6 +32,7 @@ TexturedModel MakeTexturedModel(vtkPolyData* mesh, vtkMultiBlockDataSet* views,
   model.Texture = generator->GetTexture();
   model.Charts = generator->GetNumberOfCharts();
   model.SeenShare = generator->GetSeenShare();
+  model.UsedShare = generator->GetUsedShare();
   std::vector<Camera> cameras;
   for (unsigned int viewId = 0; viewId < views->GetNumberOfBlocks(); ++viewId)
   {

@@ -23,6 +23,7 @@ struct TexturedModel
   vtkSmartPointer<vtkImageData> Texture; ///< Color
   int Charts = 0;
   double SeenShare = 0;                          ///< part of the charts that a photograph sees
+  double UsedShare = 0;                          ///< part of the texture that charts cover
   Eigen::Vector3d Up = Eigen::Vector3d::UnitY(); ///< the direction that is up
 };
 

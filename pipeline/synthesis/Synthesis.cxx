@@ -118,10 +118,26 @@ public:
     {
       return crust;
     }
-    this->Filters.Refiner->SetInputData(0, crust);
-    this->Filters.Refiner->SetInputData(1, this->Photographs());
-    this->Run("mesh", this->Filters.Refiner);
-    return this->Filters.Refiner->GetOutput();
+    vtkDepthMapFuser* fuser = this->Filters.Fuser;
+    const double given = fuser->GetDepthNoise();
+    const double noise =
+      given > 0 ? given : AttachedNumber(this->Photographs(), arrays::DepthNoise, 0);
+    if (noise > FusedSurfaceOptions::MaxDepthNoise)
+    {
+      this->Warn("mesh: depth maps of neighbouring photographs differ by " + Pixels(noise) +
+        ", too much to be fused; the mesh is the power crust of the hull");
+      return crust;
+    }
+    fuser->SetInputData(0, crust);
+    fuser->SetInputData(1, this->Photographs());
+    this->Run("mesh", fuser);
+    if (const int dropped = fuser->GetNumberOfDroppedComponents(); dropped > 0)
+    {
+      this->Warn("mesh: " + std::to_string(dropped) + " smaller component(s) with " +
+        std::to_string(fuser->GetNumberOfDroppedTriangles()) +
+        " triangles left out; --hull-keep-all keeps them");
+    }
+    return fuser->GetOutput();
   }
 
   /** With `all`, every stage is textured; otherwise only the last. */

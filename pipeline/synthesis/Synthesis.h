@@ -79,8 +79,8 @@ public:
   vtkMultiBlockDataSet* Photographs();
 
   /**
-   * The whole object, for no camera in particular: the crust and, with depth maps and
-   * `upTo` beyond the hull, refined by them (vtkWholeObjectRefiner).
+   * The whole object, for no camera in particular: with depth maps and `upTo` beyond the hull, the
+   * surface on which they agree (vtkDepthMapFuser); else the crust.
    */
   vtkPolyData* WholeObject(Stage upTo);
 

@@ -71,7 +71,8 @@ SynthesisStages::SynthesisStages(vtkMultiBlockDataSet* views, const SynthesisOpt
   this->Culler->SetOptions(options.Culler);
   this->Mapper->SetOptions(options.Texture);
   this->Mapper->SetUseDepthMaps(options.UseDepthMaps);
-  this->Refiner->SetOptions(options.DepthMaps);
+  this->Fuser->SetDepthNoise(options.DepthMaps.DepthNoise);
+  this->Fuser->SetKeepAllComponents(options.Hull.KeepAllComponents);
 }
 
 void SynthesisStages::ConnectViews(vtkAlgorithmOutput* silhouettes, bool useDepthMaps)

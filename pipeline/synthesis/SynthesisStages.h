@@ -5,6 +5,7 @@
 #include "geometry/Camera.h"
 #include "synthesis/Synthesis.h"
 #include "vtkCameraRefiner.h"
+#include "vtkDepthMapFuser.h"
 #include "vtkPowerCrustMesher.h"
 #include "vtkReferenceDepthEstimator.h"
 #include "vtkSilhouetteReconciler.h"
@@ -13,7 +14,6 @@
 #include "vtkViewDependentTextureMapper.h"
 #include "vtkVisibilityCuller.h"
 #include "vtkVisualHullSource.h"
-#include "vtkWholeObjectRefiner.h"
 
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
@@ -46,7 +46,7 @@ struct SynthesisStages
   vtkSmartPointer<vtkViewDeformer> Outline;    ///< the paper's, or the one that follows depth maps
   vtkSmartPointer<vtkViewDeformer> NonOutline; ///< the same
   vtkNew<vtkViewDependentTextureMapper> Mapper;
-  vtkNew<vtkWholeObjectRefiner> Refiner; ///< not connected
+  vtkNew<vtkDepthMapFuser> Fuser; ///< not connected
 
 private:
   void ConnectViews(vtkAlgorithmOutput* silhouettes, bool useDepthMaps);

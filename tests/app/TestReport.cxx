@@ -119,6 +119,31 @@ TEST_F(Report, MeshCommandWritesEveryKind)
     testing::UnorderedElementsAre("m.glb", "m.obj", "m.mtl", "m.jpg", "m.ply", "m.stl", "m.vtp"));
 }
 
+TEST_F(Report, MeshIsSimplifiedAndTellsWhatItIs)
+{
+  const fs::path file = Bunny->Folder / "simple.ply";
+  const ProcessEnd end =
+    RunProgram({ "mesh", Bunny->Data().string(), "--simplify", "2000", "--out", file.string() });
+  ASSERT_EQ(end.Code, 0) << end.Err;
+  EXPECT_THAT(end.Out, HasSubstr("mesh: simplified from "));
+  EXPECT_THAT(end.Out, HasSubstr("mesh: closed manifold of genus "));
+  EXPECT_THAT(end.Out, HasSubstr(" pairs of triangles intersect"));
+  EXPECT_THAT(ReadText(file), HasSubstr("element face 2000\n"));
+}
+
+TEST_F(Report, MeshOfDepthMapsThatAreTooNoisyIsTheCrustAndSaysSo)
+{
+  const fs::path file = Bunny->Folder / "noisy.ply";
+  const ProcessEnd end =
+    RunProgram({ "mesh", Bunny->Data().string(), "--depth-noise", "3", "--out", file.string() });
+  ASSERT_EQ(end.Code, 0) << end.Err;
+  EXPECT_THAT(end.Err, HasSubstr("too much to be fused; the mesh is the power crust of the hull"));
+  const fs::path hull = Bunny->Folder / "hull.ply";
+  MustRun({ "mesh", Bunny->Data().string(), "--quiet", "--depth-noise", "3", "--stage", "hull",
+    "--out", hull.string() });
+  EXPECT_TRUE(ReadText(file) == ReadText(hull));
+}
+
 TEST_F(Report, MeshFileOfNoKindIsAnErrorBeforeAnyWork)
 {
   const fs::path file = Bunny->Folder / "mesh.fbx";

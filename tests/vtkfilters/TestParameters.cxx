@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the headers of the filters say about defaults and ranges is what the filters do.
 #include "vtkCameraRefiner.h"
+#include "vtkDepthMapFuser.h"
+#include "vtkMeshSimplifier.h"
 #include "vtkNonOutlineDeformer.h"
 #include "vtkOutlineDeformer.h"
 #include "vtkPowerCrustMesher.h"
@@ -11,7 +13,6 @@
 #include "vtkViewDependentTextureMapper.h"
 #include "vtkVisibilityCuller.h"
 #include "vtkVisualHullSource.h"
-#include "vtkWholeObjectRefiner.h"
 
 #include <vtkNew.h>
 
@@ -60,6 +61,10 @@ Setters Compiled()
 {
   return {
     RANGE(vtkCameraRefiner, MinGain),
+    RANGE(vtkDepthMapFuser, DepthNoise),
+    SWITCH(vtkDepthMapFuser, KeepAllComponents),
+    RANGE(vtkDepthMapFuser, SampleSpacing),
+    RANGE(vtkMeshSimplifier, NumberOfTriangles),
     RANGE(vtkNonOutlineDeformer, MatchRange),
     RANGE(vtkNonOutlineDeformer, SearchRange),
     RANGE(vtkNonOutlineDeformer, SmoothWeight),
@@ -101,7 +106,6 @@ Setters Compiled()
     RANGE(vtkVisibilityCuller, Tolerance),
     SWITCH(vtkVisualHullSource, KeepAllComponents),
     RANGE(vtkVisualHullSource, SampleSpacing),
-    RANGE(vtkWholeObjectRefiner, DepthNoise),
   };
 }
 

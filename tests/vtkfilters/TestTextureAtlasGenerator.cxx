@@ -120,6 +120,7 @@ TEST(TextureAtlasGenerator, GivesTheKernelsColoursChartsAndTexture)
   EXPECT_EQ(Pixels(generator), atlas.Picture.Values);
   EXPECT_EQ(generator->GetNumberOfCharts(), atlas.Charts);
   EXPECT_EQ(generator->GetSeenShare(), atlas.SeenShare);
+  EXPECT_EQ(generator->GetUsedShare(), atlas.UsedShare);
   EXPECT_LE(std::max(atlas.Picture.Width, atlas.Picture.Height), 256);
 }
 
@@ -227,5 +228,5 @@ TEST(TextureAtlasGenerator, PrintsEveryMember)
 {
   ExpectPrints(TheCase().Generator(),
     { "TextureSize", "References", "Power", "FeatherWidth", "OcclusionSoftness", "UseExposureGains",
-      "NumberOfCharts", "SeenShare" });
+      "NumberOfCharts", "SeenShare", "UsedShare" });
 }

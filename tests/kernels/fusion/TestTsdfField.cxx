@@ -382,3 +382,22 @@ TEST(TsdfField, ARayThroughTheObjectMeetsItHoweverFarItGoes)
   EXPECT_NEAR((ray.Origin + *met.Surface * ray.Direction).norm(), 0.5, 0.5 * Footprint);
   EXPECT_EQ(field.PriorNeeded(ray.Origin, ray.Direction, 0.1, 12, 2 * Footprint, 0), 0);
 }
+
+TEST(TsdfField, SampleRowGivesTheSignedDistanceWithVotesThatFadeBehindTheSurface)
+{
+  // One sure map of a plane at depth 4; tau = 4 footprints; prior as good as none.
+  const FlatMap map(4, 1);
+  const std::vector<View> views{ map.AsView() };
+  const TsdfField field(views, { 4, 1e-6, 0.12 }, Footprint);
+  TsdfField::LatticeSample samples[5];
+  // From 2 footprints in front of the plane to 6 behind it.
+  field.SampleRow(Vector3d(0, 0, 4 - 2 * Footprint), 2 * Footprint * Vector3d::UnitZ(), 5, samples);
+  const double distances[] = { 2, 0, -2, -4, -4 };
+  const double weights[] = { 1, 1, 0.5, 0, 0 };
+  for (int n = 0; n < 5; ++n)
+  {
+    EXPECT_NEAR(samples[n].Distance, distances[n], 1e-3) << n;
+    EXPECT_NEAR(samples[n].Weight, weights[n], 1e-3) << n;
+    EXPECT_EQ(samples[n].Outside, -4) << "50 pixels inside the silhouette";
+  }
+}

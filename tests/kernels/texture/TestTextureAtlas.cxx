@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "texture/TextureAtlas.h"
 
-#include "fusion/ModelRefinement.h"
 #include "support/Scene.h"
 
 #include <gtest/gtest.h>
@@ -144,6 +143,8 @@ TEST(TextureAtlas, PolesThatNoCameraSeesTakeColoursFromAround)
   const std::vector<Photo> photos = TakeAll(Sphere(Vector3d::Zero(), 0.5), red, Ring(8, 45));
   const TextureAtlas atlas = MakeTextureAtlas(ball.Mesh, ViewsOf(photos));
   EXPECT_LT(atlas.SeenShare, 1) << "the poles cannot be seen";
+  EXPECT_LT(atlas.UsedShare, 0.95) << "round charts leave corners, and each has padding";
+  EXPECT_GT(atlas.UsedShare, 0.2);
   EXPECT_GT(atlas.SeenShare, 0.5) << "but most of the ball can";
   for (std::size_t cellId = 0; cellId < atlas.Mesh.Triangles.size(); ++cellId)
   {
@@ -214,42 +215,39 @@ TEST(TextureAtlas, AnotherSplitOfTheLoopsGivesTheSameBits)
   EXPECT_EQ(one.TexCoords, other.TexCoords);
 }
 
-TEST(ModelRefinement, TakesAHullThatIsTooLargeBackToTheSurface)
+TEST(TextureAtlas, LargeTrianglesShowTheTextureWhereRenderersLookForIt)
 {
-  const Ball ball;
-  std::vector<View> views = ball.Views;
-  std::vector<Image<float>> sure;
-  sure.reserve(views.size());
-  for (std::size_t i = 0; i < views.size(); ++i)
+  // Two triangles that reach from near the camera far away.
+  const Shape rectangle = Rectangle(0.5, 0.5);
+  std::vector<Photo> photos =
+    TakeAll(rectangle, Waves(0.8), { OnRing(50, 0, 1.5, SmallPictureK(130)) });
+  const std::vector<View> views = ViewsOf(photos);
+  TriangleMesh mesh;
+  mesh.Points = { { -0.5, -0.5, 0 }, { 0.5, -0.5, 0 }, { 0.5, 0.5, 0 }, { -0.5, 0.5, 0 } };
+  mesh.Triangles = { { 0, 1, 2 }, { 0, 2, 3 } };
+  const TextureAtlas atlas = MakeTextureAtlas(mesh, views);
+  for (std::size_t cellId = 0; cellId < mesh.Triangles.size(); ++cellId)
   {
-    views[i].DepthMap = ball.Photos[i].TrueDepth.Ref();
-    sure.emplace_back(views[i].Cam.Width, views[i].Cam.Height, 1, 1.f);
-    views[i].Confidence = std::as_const(sure.back()).Ref();
+    for (const Vector3d& weights : { Vector3d(0.4, 0.3, 0.3), Vector3d(0.2, 0.6, 0.2) })
+    {
+      Vector3d point = Vector3d::Zero();
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        point += weights[corner] * mesh.Points[mesh.Triangles[cellId][corner]];
+      }
+      // With the photograph's perspective the colours came from a tenth of the side away.
+      EXPECT_LT((ColourAt(atlas, cellId, weights) - Waves(0.8)(point)).norm(), 10);
+    }
   }
-  const TriangleMesh hull = SphereMesh(Vector3d::Zero(), 0.55, 4);
-  const TriangleMesh model = RefineModel(hull, views);
-  ASSERT_EQ(model.Triangles, hull.Triangles);
-  double worst = 0;
-  for (const Vector3d& point : model.Points)
-  {
-    // Nearer the poles the cameras of the ring graze the surface.
-    worst = std::abs(point.y()) < 0.3 ? std::max(worst, std::abs(point.norm() - 0.5)) : worst;
-  }
-  // It began 0.05, that is six pixels, away. A pixel is 0.009 at the surface, and what is read from
-  // the nearest pixel of a map is off by up to half of one at each side.
-  EXPECT_LT(worst, 0.009);
 }
 
-TEST(ModelRefinement, MissingDepthMapsAreAnErrorThatNamesTheView)
+TEST(TextureAtlas, SurfacesAtGrazingIncidenceHaveTheColoursOfTheirPhotographs)
 {
-  const Ball ball(1);
-  try
-  {
-    RefineModel(ball.Mesh, ball.Views);
-    FAIL();
-  }
-  catch (const Error& error)
-  {
-    EXPECT_STREQ(error.what(), "view p0: point array Depth or Confidence is missing");
-  }
+  // The only camera looks at the rectangle from 75 degrees aside.
+  std::vector<Photo> photos = TakeAll(Rectangle(0.5, 0.5), Waves(0.8), { OnRing(75) });
+  TriangleMesh mesh;
+  mesh.Points = { { -0.3, -0.3, 0 }, { 0.3, -0.3, 0 }, { 0.3, 0.3, 0 }, { -0.3, 0.3, 0 } };
+  mesh.Triangles = { { 0, 1, 2 }, { 0, 2, 3 } };
+  const TextureAtlas atlas = MakeTextureAtlas(mesh, ViewsOf(photos));
+  EXPECT_EQ(atlas.SeenShare, 1) << "none was seen when weights of cos^16 were too small to count";
 }

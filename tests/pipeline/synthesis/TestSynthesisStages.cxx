@@ -62,7 +62,7 @@ std::string StateOf(const SynthesisOptions& options)
   for (vtkAlgorithm* filter :
     std::initializer_list<vtkAlgorithm*>{ stages.Reconciler, stages.HullSource, stages.Mesher,
       stages.DepthEstimator, stages.CameraRefiner, stages.Repairer, stages.Culler, stages.Outline,
-      stages.NonOutline, stages.Mapper, stages.Refiner })
+      stages.NonOutline, stages.Mapper, stages.Fuser })
   {
     state += StateOf(filter);
   }

@@ -207,6 +207,37 @@ TsdfField::Sample TsdfField::SampleAt(const TsdfRay& ray, const Vector3d& step) 
   return sample;
 }
 
+void TsdfField::SampleRow(
+  const Vector3d& origin, const Vector3d& step, int count, LatticeSample* samples) const
+{
+  const double tau = this->Options.TruncationPx;
+  const double w0 = this->Options.SurfacePrior;
+  TsdfRay ray(this->Views, origin, step);
+  for (int n = 0; n < count; ++n)
+  {
+    ray.MoveTo(n);
+    LatticeSample& sample = samples[n];
+    double outside =
+      this->Bounds.isEmpty() || this->Bounds.contains(origin + n * step) ? -tau : tau;
+    double f = -w0 * tau;
+    double w = w0;
+    ProjectedSample projected;
+    for (int i = 0; i < static_cast<int>(this->Views.size()) && outside < tau; ++i)
+    {
+      const TsdfView& view = this->Views[i];
+      if (ray.See(i, view, projected))
+      {
+        outside =
+          std::max(outside, -SampleBilinear(view.ContourDistance, projected.X, projected.Y));
+        view.AccumulateTapered(projected, this->Tau, tau, f, w);
+      }
+    }
+    sample.Outside = static_cast<float>(std::min(outside, tau));
+    sample.Weight = static_cast<float>(w);
+    sample.Distance = outside >= tau ? sample.Outside : static_cast<float>(f / w);
+  }
+}
+
 TsdfField::ClosestApproach TsdfField::FindClosestApproach(
   const Vector3d& origin, const Vector3d& direction, double from, double to, double step) const
 {

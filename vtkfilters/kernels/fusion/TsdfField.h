@@ -57,6 +57,18 @@ public:
   RayResult FindFirstCrossing(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
     double from, double to, double step) const;
 
+  /** What maps and silhouettes say about a point, input pixel footprints, within +- tau. */
+  struct LatticeSample
+  {
+    float Distance; ///< tau * field, with votes that fade behind the surface (TsdfView)
+    float Weight;   ///< W + w0
+    float Outside;  ///< signed distance to the silhouettes' contours, above 0 = outside
+  };
+
+  /** Samples `count` points, origin + n step. */
+  void SampleRow(const Eigen::Vector3d& origin, const Eigen::Vector3d& step, int count,
+    LatticeSample* samples) const;
+
   /** How far a ray passes from the object. */
   struct ClosestApproach
   {

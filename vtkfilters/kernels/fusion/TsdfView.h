@@ -49,6 +49,23 @@ struct TsdfView
     }
   }
 
+  /**
+   * Adds the same with a vote that fades from the surface to tau behind it, so that the two sides
+   * of a thin part do not outvote each other. F is that times `unit`.
+   */
+  void AccumulateTapered(
+    const ProjectedSample& sample, double tau, double unit, double& f, double& w) const
+  {
+    const double depth = this->DepthMap(sample.Column, sample.Row);
+    const double s = (depth - sample.Depth) / tau;
+    if (depth > 0 && s > -1)
+    {
+      const double weight = this->Confidence(sample.Column, sample.Row) * std::min(1.0, 1 + s);
+      f += unit * weight * std::min(1.0, s);
+      w += weight;
+    }
+  }
+
   /** How many steps from a point its picture stays within `pixels` of here, and in the frame. */
   int StepsWithin(double pixels, const ProjectedSample& sample, const Eigen::Vector3d& step) const;
 

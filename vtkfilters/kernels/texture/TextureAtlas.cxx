@@ -139,7 +139,6 @@ private:
   void PaintTriangle(const AtlasChart& chart, int cellId)
   {
     const Eigen::Vector3i& t = this->Textured.Mesh.Triangles[cellId];
-    const Camera& camera = this->Layout.Views[chart.View].Cam;
     Vector2d p[3]; // in the chart's rectangle
     for (int corner = 0; corner < 3; ++corner)
     {
@@ -163,13 +162,8 @@ private:
           Cross(p[0] - at, p[1] - at) / area);
         if (w.minCoeff() >= 0 && !this->Done(x, y))
         {
-          // Screen-space weights over the corners' depths are those on the triangle.
-          Vector3d onTriangle;
-          for (int corner = 0; corner < 3; ++corner)
-          {
-            onTriangle[corner] = w[corner] / camera.Depth(this->Textured.Mesh.Points[t[corner]]);
-          }
-          this->PaintTexel(chart, x, y, t, onTriangle / onTriangle.sum());
+          // Renderers interpolate texture coordinates on the triangle, not in the photograph.
+          this->PaintTexel(chart, x, y, t, w);
         }
       }
     }
@@ -342,6 +336,7 @@ TextureAtlas MakeTextureAtlas(const TriangleMesh& mesh, const std::vector<View>&
     atlas.SeenShare += static_cast<double>(seen[chartId]);
   }
   atlas.SeenShare /= std::max(all, 1.0);
+  atlas.UsedShare = all / (static_cast<double>(layout.Width) * layout.Height);
   SplitPoints(mesh, layout, atlas);
   execution.Report(1);
   return atlas;

@@ -23,6 +23,7 @@ struct TextureAtlas
   Image<std::uint8_t> Picture;            ///< RGB
   int Charts = 0;
   double SeenShare = 0; ///< part of the charts' texels that a photograph sees
+  double UsedShare = 0; ///< part of the picture that charts cover, without their padding
   double Scale = 1;     ///< texels per photograph pixel
 };
 

@@ -15,8 +15,15 @@ struct TextureAtlasOptions
   int PaddingPx = 4;        ///< around every chart, filled with its border's colours
   double Loyalty = 0.15;    ///< what a neighbour in the same photograph is worth, against quality 1
   int SmoothingRounds = 10; ///< of the choice of photographs, at most
-  /** For no particular novel camera: softer than TextureView(), and with equal exposures. */
-  TextureOptions Texture{ .Power = 16, .FeatherPx = 20, .OcclusionPx = 1.5, .UseGains = true };
+  /**
+   * For no particular novel camera: softer than TextureView(), and with equal exposures. Seen along
+   * the normal, photographs may be far aside; a high power would count none as seeing a surface.
+   */
+  static constexpr double MaxPower = 4;
+  TextureOptions Texture{ .Power = MaxPower,
+    .FeatherPx = 20,
+    .OcclusionPx = 1.5,
+    .UseGains = true };
 };
 }
 
