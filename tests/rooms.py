@@ -52,6 +52,8 @@ def find(name):
             return path
     if name == "report/ReportTemplate.h":  # generated
         return SOURCE / "pipeline/report/ReportTemplate.h.in"
+    if name == "live/LivePage.h":  # generated
+        return SOURCE / "pipeline/live/LivePage.h.in"
     return None
 
 

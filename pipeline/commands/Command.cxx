@@ -11,6 +11,7 @@
 #include "commands/OrbitCommand.h"
 #include "commands/RenderCommand.h"
 #include "commands/RunCommand.h"
+#include "commands/ViewCommand.h"
 
 #include <type_traits>
 
@@ -108,6 +109,8 @@ std::vector<Command> CommandTable()
       "render", "make many novel views from one hull and crust", MakeRenderOptions, RenderViews),
     Shared(
       "orbit", "make a video of the object from a moving camera", MakeOrbitOptions, RenderOrbit),
+    Single("view", "show novel views in a browser, from any camera", JobHelp, MakeViewOptions,
+      ServeView),
     Single("mesh", "make a textured mesh of the whole object", JobHelp, MakeMeshOptions, MakeMesh),
     Shared("evaluate", "compare novel views with photographs that no stage uses",
       MakeEvaluateOptions, EvaluateDataset),

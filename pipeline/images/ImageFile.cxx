@@ -216,6 +216,17 @@ std::vector<std::uint8_t> EncodeJpeg(
   return jpeg;
 }
 
+std::vector<std::uint8_t> EncodePng(
+  const ImageRef<const std::uint8_t>& pixels, const std::string& where)
+{
+  std::vector<std::uint8_t> png;
+  if (!cv::imencode(".png", ToBgr(pixels), png))
+  {
+    throw Error(where, "cannot be encoded as PNG");
+  }
+  return png;
+}
+
 void WriteFloatFile(const fs::path& path, const ImageRef<const float>& pixels)
 {
   if (!IsTiff(path))

@@ -57,6 +57,10 @@ void WriteImageFile(const std::filesystem::path& path, const ImageRef<const std:
 std::vector<std::uint8_t> EncodeJpeg(
   const ImageRef<const std::uint8_t>& pixels, int quality, const std::string& where);
 
+/** The bytes of a PNG file of one (grey) or three (RGB) channels. Errors name `where`. */
+std::vector<std::uint8_t> EncodePng(
+  const ImageRef<const std::uint8_t>& pixels, const std::string& where);
+
 /** One channel, as a 32-bit float TIFF; the extension must be .tif or .tiff. */
 void WriteFloatFile(const std::filesystem::path& path, const ImageRef<const float>& pixels);
 

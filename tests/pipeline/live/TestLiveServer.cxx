@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "live/LiveServer.h"
+#include "support/MessageOf.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <httplib.h>
+
+#include <atomic>
+#include <thread>
+
+using namespace novelview;
+using namespace std::chrono_literals;
+using testing::HasSubstr;
+
+namespace
+{
+const char* const Request = R"({"K":[300,0,79.5,0,300,59.5,0,0,1],"R":[1,0,0,0,1,0,0,0,1],)"
+                            R"("T":[0,0,3],"width":160,"height":120,"stage":"full"})";
+
+/** A server, and a worker that answers every request with one byte. */
+class LiveServerTest : public testing::Test
+{
+protected:
+  LiveServerTest()
+    : Worker(
+        [this]
+        {
+          while (!this->Ended)
+          {
+            if (const auto ticket = this->Server.Frames().Take(10ms))
+            {
+              this->Server.Frames().Give(ticket, { FrameAnswer::Kind::Made, { 42 }, "" });
+            }
+          }
+        })
+  {
+  }
+  ~LiveServerTest() override
+  {
+    this->Ended = true;
+    this->Worker.join();
+  }
+
+  httplib::Client Client() const { return { "127.0.0.1", this->Server.Port() }; }
+  httplib::Headers WithToken(httplib::Headers more = {}) const
+  {
+    more.emplace("X-Token", this->Server.Token());
+    return more;
+  }
+  int StatusOfFrame(const httplib::Headers& headers, const std::string& body = Request) const
+  {
+    const auto answer = this->Client().Post("/frame", headers, body, "application/json");
+    return answer ? answer->status : -1;
+  }
+
+  LiveServer Server{ "127.0.0.1", 0 };
+  std::atomic<bool> Ended = false;
+  std::thread Worker;
+};
+}
+
+TEST_F(LiveServerTest, ItsAddressOpensThePage)
+{
+  const std::string address = this->Server.Address();
+  const std::string path = address.substr(address.find("/?"));
+  const auto page = this->Client().Get(path);
+  ASSERT_TRUE(page);
+  EXPECT_EQ(page->status, 200);
+  EXPECT_THAT(page->body, HasSubstr("<title>NovelView</title>"));
+  EXPECT_THAT(page->get_header_value("Content-Security-Policy"), HasSubstr("default-src 'none'"));
+}
+
+TEST_F(LiveServerTest, AFrameIsWhatTheWorkerMade)
+{
+  const auto frame = this->Client().Post("/frame", this->WithToken(), Request, "application/json");
+  ASSERT_TRUE(frame);
+  EXPECT_EQ(frame->status, 200);
+  EXPECT_EQ(frame->body, "*");
+  EXPECT_EQ(frame->get_header_value("Content-Type"), "image/png");
+}
+
+TEST_F(LiveServerTest, TheStateIsWhatWasSetLast)
+{
+  this->Server.SetState(R"({"stage":"hull"})");
+  const auto state = this->Client().Get("/state", this->WithToken());
+  ASSERT_TRUE(state);
+  EXPECT_EQ(state->body, R"({"stage":"hull"})");
+}
+
+TEST_F(LiveServerTest, WithoutTheTokenNothingIsAnswered)
+{
+  EXPECT_EQ(this->StatusOfFrame({}), 403);
+  EXPECT_EQ(this->StatusOfFrame({ { "X-Token", std::string(32, '0') } }), 403);
+  EXPECT_EQ(this->Client().Get("/")->status, 403);
+  EXPECT_EQ(this->Client().Get("/state")->status, 403);
+  EXPECT_EQ(this->Client().Get("/elsewhere")->status, 403);
+}
+
+TEST_F(LiveServerTest, APageOfAnotherSiteIsRefusedEvenWithTheToken)
+{
+  const std::string own = "127.0.0.1:" + std::to_string(this->Server.Port());
+  EXPECT_EQ(this->StatusOfFrame(this->WithToken({ { "Host", "evil.example" } })), 403);
+  EXPECT_EQ(this->StatusOfFrame(this->WithToken({ { "Origin", "http://evil.example" } })), 403);
+  EXPECT_EQ(this->StatusOfFrame(this->WithToken({ { "Origin", "http://" + own } })), 200);
+}
+
+TEST_F(LiveServerTest, MalformedAndHugeRequestsAreRefused)
+{
+  EXPECT_EQ(this->StatusOfFrame(this->WithToken(), "{"), 400);
+  EXPECT_EQ(this->StatusOfFrame(this->WithToken(), ""), 400);
+  EXPECT_EQ(
+    this->StatusOfFrame(this->WithToken(), std::string(LiveServer::LargestBodyBytes + 1, ' ')),
+    413);
+  EXPECT_EQ(this->StatusOfFrame(this->WithToken()), 200) << "and the next one is answered";
+}
+
+TEST_F(LiveServerTest, ManyClientsAtOnceAreAllAnswered)
+{
+  std::atomic<int> answered = 0;
+  std::vector<std::thread> clients;
+  for (int i = 0; i < 40; ++i)
+  {
+    clients.emplace_back(
+      [&]
+      {
+        const int status = this->StatusOfFrame(this->WithToken());
+        answered += status == 200 || status == 409;
+      });
+  }
+  for (std::thread& client : clients)
+  {
+    client.join();
+  }
+  EXPECT_EQ(answered, 40);
+}
+
+TEST_F(LiveServerTest, APortInUseIsAnError)
+{
+  EXPECT_THAT(MessageOf([this] { LiveServer("127.0.0.1", this->Server.Port()); }),
+    HasSubstr("127.0.0.1:" + std::to_string(this->Server.Port()) + ": cannot listen"));
+}
