@@ -153,7 +153,7 @@ void Canvas::AddColourBar(vtkScalarsToColors* table, const Box& box, const char*
     1 - static_cast<double>(box.Y + box.Height) / this->Height);
   bar->SetWidth(static_cast<double>(box.Width) / this->Width);
   bar->SetHeight(static_cast<double>(box.Height) / this->Height);
-  this->Overlay->AddActor2D(bar);
+  this->Overlay->AddViewProp(bar);
 }
 
 //------------------------------------------------------------------------------
@@ -170,7 +170,7 @@ void Canvas::AddText(const std::string& text, int x, int y, const TextStyle& sty
   property->SetJustification(style.Align == TextStyle::Left ? VTK_TEXT_LEFT
       : style.Align == TextStyle::Centre                    ? VTK_TEXT_CENTERED
                                                             : VTK_TEXT_RIGHT);
-  this->Overlay->AddActor2D(actor);
+  this->Overlay->AddViewProp(actor);
 }
 
 //------------------------------------------------------------------------------

@@ -14,6 +14,8 @@
 #include <cmath>
 #include <map>
 #include <sstream>
+#include <string>
+#include <string_view>
 
 namespace novelview
 {
@@ -99,8 +101,9 @@ Script ReadScript(const fs::path& path)
 }
 
 const std::vector<double>& Needed(
-  const Script& script, const std::string& name, std::size_t count, const fs::path& path)
+  const Script& script, std::string_view nameView, std::size_t count, const fs::path& path)
 {
+  const std::string name(nameView);
   const auto found = script.find(name);
   if (found == script.end() || found->second.Numbers.size() != count)
   {

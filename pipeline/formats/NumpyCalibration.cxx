@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <map>
 
 namespace novelview
@@ -84,7 +85,7 @@ Calibration ReadNeus(const fs::path& folder, const fs::path& file)
 }
 
 const NumpyArray& ArrayOf(
-  const Arrays& arrays, const std::vector<std::string>& names, const std::string& where)
+  const Arrays& arrays, std::initializer_list<std::string> names, const fs::path& file)
 {
   for (const std::string& name : names)
   {
@@ -98,16 +99,16 @@ const NumpyArray& ArrayOf(
   {
     there.push_back(name);
   }
-  throw Error(where, "has no array " + Joined(names, " or "),
+  throw Error(file.string(), "has no array " + Joined(std::vector<std::string>(names), " or "),
     there.empty() ? "no arrays of numbers" : Joined(there), "K, R and t");
 }
 
 Calibration ReadNumpy(const fs::path& folder, const fs::path& file)
 {
   const Arrays arrays = ReadNpz(file);
-  const NumpyArray& R = ArrayOf(arrays, { "R", "rotations" }, file.string());
-  const NumpyArray& t = ArrayOf(arrays, { "t", "T", "translations" }, file.string());
-  const NumpyArray& K = ArrayOf(arrays, { "K", "intrinsics" }, file.string());
+  const NumpyArray& R = ArrayOf(arrays, { "R", "rotations" }, file);
+  const NumpyArray& t = ArrayOf(arrays, { "t", "T", "translations" }, file);
+  const NumpyArray& K = ArrayOf(arrays, { "K", "intrinsics" }, file);
   const std::size_t count = R.Values.size() / 9;
   if (count == 0 || R.Values.size() != 9 * count || t.Values.size() != 3 * count ||
     (K.Values.size() != 9 && K.Values.size() != 9 * count))
