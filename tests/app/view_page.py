@@ -59,9 +59,8 @@ def centre(driver):
 def saved(driver):
     """The bytes of the picture and the camera of the page."""
     data = driver.execute_async_script(
-        "const done = arguments[0]; fetch(picture.src).then((r) => r.blob()).then((b) => {"
-        "const reader = new FileReader(); reader.onload = () => done(reader.result);"
-        "reader.readAsDataURL(b); });")
+        "const done = arguments[0]; const reader = new FileReader();"
+        "reader.onload = () => done(reader.result); reader.readAsDataURL(shown);")
     return base64.b64decode(data.split(",")[1]), driver.execute_script("return camera")
 
 
