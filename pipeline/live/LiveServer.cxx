@@ -16,6 +16,7 @@ namespace novelview
 namespace
 {
 constexpr int HandlerThreads = 8;
+constexpr int WaitingConnections = 128;
 constexpr int SecondsForOneRequest = 2;
 
 /** 128 random bits as hexadecimal digits. */
@@ -106,10 +107,11 @@ public:
     this->Server.new_task_queue = [] { return new httplib::ThreadPool(HandlerThreads); };
     // Without SO_REUSEPORT, by which two programs would share a port.
     this->Server.set_socket_options(
-      [](socket_t socket)
+      [this](socket_t socket)
       {
         const int yes = 1;
         setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof(yes));
+        this->Socket = socket;
       });
     this->Server.set_payload_max_length(LargestBodyBytes);
     this->Server.set_read_timeout(SecondsForOneRequest);
@@ -148,6 +150,7 @@ public:
 
   std::string Address;
   int Port = 0;
+  socket_t Socket = INVALID_SOCKET;
   std::string Token = RandomToken();
   FrameQueue Frames;
   std::mutex StateMutex;
@@ -168,6 +171,8 @@ LiveServer::LiveServer(const std::string& address, int port)
   {
     throw Error(address + ":" + std::to_string(port), "cannot listen at this address and port");
   }
+  // The library lets five connections wait; of a burst of more, some would be reset.
+  ::listen(impl.Socket, WaitingConnections);
   impl.Port = port == 0 ? impl.Port : port;
   impl.Listener = std::thread([&impl] { impl.Server.listen_after_bind(); });
   while (!impl.Server.is_running())

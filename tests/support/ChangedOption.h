@@ -44,10 +44,16 @@ public:
   void operator()(std::vector<std::filesystem::path>* value) const { value->push_back("more"); }
   void operator()(const novelview::WordTarget& value) const
   {
-    // One word of those that take a list, or a novel view.
-    const std::string word =
-      value.Range.empty() ? "between:1,2,0.25" : value.Range.substr(0, value.Range.find(','));
-    value.Set(word, "test", [](const std::filesystem::path& path) { return path; });
+    // The first or the second word of those that take a list, or a novel view.
+    const auto same = [](const std::filesystem::path& path) { return path; };
+    const std::string& list = value.Range;
+    std::string word = list.empty() ? "between:1,2,0.25" : list.substr(0, list.find(','));
+    if (word == value.Get(same))
+    {
+      const std::size_t second = list.find(", ") + 2;
+      word = list.substr(second, list.find(',', second) - second);
+    }
+    value.Set(word, "test", same);
   }
   void operator()(const novelview::SizeTarget& value) const
   {

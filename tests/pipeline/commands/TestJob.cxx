@@ -177,10 +177,12 @@ TEST(Job, WrittenJobIsCompleteAndReadsBackTheSame)
   EXPECT_EQ(again.Out.lexically_normal(), (folder / "results/").lexically_normal());
   EXPECT_EQ(again.Input.Dataset, std::filesystem::absolute("bunny"));
   EXPECT_EQ(again.Synthesis.Hull.Box, job.Synthesis.Hull.Box);
-  // Every option but the number of threads, which cannot change the result, is in the file.
+  // Every option but the number of threads and the renderer, which change no novel view, is in the
+  // file.
   const nlohmann::ordered_json object = ReadJsonFile(job.Out / "job.json");
-  EXPECT_EQ(object.size(), OptionsOf(job).size() - 1);
+  EXPECT_EQ(object.size(), OptionsOf(job).size() - 2);
   EXPECT_FALSE(object.contains("threads"));
+  EXPECT_FALSE(object.contains("renderer"));
   EXPECT_EQ(object["out"], ".");
   // Written again, wherever it is, the same bytes.
   EXPECT_EQ(JobText(again), ReadText(job.Out / "job.json"));
