@@ -31,8 +31,8 @@ struct FarPixelInput
  *     sum over neighbours p, q of (d_p - d_q)^2
  *   + sum over p of the seam of w (d_p - log(near colour / far colour))^2,
  *
- * a colour being the sum of its channels. Neighbours are the four around a pixel that lie on the same surface, not across a
- * jump in depth. Regions without a seam keep their colours.
+ * a colour being the sum of its channels. Neighbours are the four around a pixel that lie on the
+ * same surface, not across a jump in depth. Regions without a seam keep their colours.
  *
  * @param color of the picture, three channels, grey levels.
  */

@@ -108,35 +108,62 @@ double FarCosine(const std::vector<BlendReference>& references, const Camera& ca
   return std::cos(angles[1] + options.FarDeg * EIGEN_PI / 180);
 }
 
-/** Blends what the references see. */
-void BlendPixels(const CoveredBuffer& buffer, const std::vector<BlendReference>& references,
-  const Camera& camera, const TextureOptions& options, const Execution& execution,
+/** The references of a picture, and the viewing rays of its camera. */
+struct BlendInput
+{
+  const std::vector<BlendReference>& References;
+  const TextureOptions& Options;
+  Vector3d Centre;
+  Matrix3d RaysOfPixels;
+  double FarCosine; ///< see FarCosine()
+
+  BlendInput(const std::vector<BlendReference>& references, const Camera& camera,
+    const TextureOptions& options)
+    : References(references)
+    , Options(options)
+    , Centre(camera.Centre())
+    , RaysOfPixels(camera.R.transpose() * camera.K.inverse())
+    , FarCosine(novelview::FarCosine(references, camera, options))
+  {
+  }
+
+  PhotoBlender NewBlender() const { return { this->References, this->Options }; }
+
+  /** PhotoBlender::Blend() for the surface point of a pixel. */
+  bool Blend(PhotoBlender& blender, const Vector2d& pixel, double depth, double rgb[3],
+    double maxCosine = 1) const
+  {
+    const Vector3d ray = this->RaysOfPixels * pixel.homogeneous();
+    return blender.Blend(this->Centre + depth * ray, ray.normalized(), rgb, maxCosine);
+  }
+};
+
+/** Blends what the references see; returns whether there is a far pixel. */
+bool BlendPixels(const CoveredBuffer& buffer, const BlendInput& input, const Execution& execution,
   PictureInWork& picture)
 {
-  const double farCosine = FarCosine(references, camera, options);
   TexturedView& result = picture.Result;
-  const Vector3d centre = camera.Centre();
-  const Matrix3d raysOfPixels = camera.R.transpose() * camera.K.inverse();
+  std::vector<std::uint8_t> farRows(result.Mask.Height, 0);
   execution.ForEachWith(
-    camera.Height, [&] { return PhotoBlender(references, options); },
+    result.Mask.Height, [&] { return input.NewBlender(); },
     [&](PhotoBlender& blender, std::int64_t row)
     {
       const int y = static_cast<int>(row);
-      for (int x = 0; x < camera.Width; ++x)
+      for (int x = 0; x < result.Mask.Width; ++x)
       {
         const float covered = buffer.Covered(x, y);
-        if (covered < 0.5f && !(options.SoftBoundary && covered > 0))
+        if (covered < 0.5f && !(input.Options.SoftBoundary && covered > 0))
         {
           continue;
         }
         const float depth = buffer.Front.Depth(x, y);
-        const Vector3d ray = raysOfPixels * buffer.Place(x, y).homogeneous();
         double rgb[3];
-        const bool seen = blender.Blend(centre + depth * ray, ray.normalized(), rgb);
+        const bool seen = input.Blend(blender, buffer.Place(x, y), depth, rgb);
         float* color = &picture.Color(x, y);
         std::copy_n(rgb, 3, color);
         picture.Known(x, y) = seen;
-        picture.Far(x, y) = blender.MeanCosine() < farCosine;
+        picture.Far(x, y) = blender.MeanCosine() < input.FarCosine;
+        farRows[y] |= picture.Far(x, y);
         picture.Depth(x, y) = depth;
         if (seen)
         {
@@ -155,6 +182,7 @@ void BlendPixels(const CoveredBuffer& buffer, const std::vector<BlendReference>&
         }
       }
     });
+  return std::find(farRows.begin(), farRows.end(), 1) != farRows.end();
 }
 
 /** Whether a far pixel lies within FarSeamPx. */
@@ -173,36 +201,30 @@ bool IsNearFarPixel(const Image<std::uint8_t>& far, int x, int y)
 }
 
 /** Brings the pixels that only references far aside see to the level of those around. */
-void LevelPixels(const CoveredBuffer& buffer, const std::vector<BlendReference>& references,
-  const Camera& camera, const TextureOptions& options, const Execution& execution,
-  PictureInWork& picture)
+void LevelPixels(const CoveredBuffer& buffer, const BlendInput& input, double focalLength,
+  const Execution& execution, PictureInWork& picture)
 {
-  const double farCosine = FarCosine(references, camera, options);
-  const Vector3d centre = camera.Centre();
-  const Matrix3d raysOfPixels = camera.R.transpose() * camera.K.inverse();
-  Image<std::uint8_t> seam(camera.Width, camera.Height);
-  Image<float> seamColor(camera.Width, camera.Height, 3);
+  Image<std::uint8_t> seam(picture.Far.Width, picture.Far.Height);
+  Image<float> seamColor(picture.Far.Width, picture.Far.Height, 3);
   execution.ForEachWith(
-    camera.Height, [&] { return PhotoBlender(references, options); },
+    seam.Height, [&] { return input.NewBlender(); },
     [&](PhotoBlender& blender, std::int64_t row)
     {
       const int y = static_cast<int>(row);
-      for (int x = 0; x < camera.Width; ++x)
+      for (int x = 0; x < seam.Width; ++x)
       {
         if (!picture.Known(x, y) || picture.Far(x, y) || !IsNearFarPixel(picture.Far, x, y))
         {
           continue;
         }
-        const Vector3d ray = raysOfPixels * buffer.Place(x, y).homogeneous();
         double rgb[3];
         seam(x, y) =
-          blender.Blend(centre + picture.Depth(x, y) * ray, ray.normalized(), rgb, farCosine);
+          input.Blend(blender, buffer.Place(x, y), picture.Depth(x, y), rgb, input.FarCosine);
         std::copy_n(rgb, 3, &seamColor(x, y));
       }
     });
-  LevelFarPixels(
-    { std::as_const(picture.Far).Ref(), std::as_const(picture.Depth).Ref(), camera.FocalLength(),
-      std::as_const(seam).Ref(), std::as_const(seamColor).Ref() },
+  LevelFarPixels({ std::as_const(picture.Far).Ref(), std::as_const(picture.Depth).Ref(),
+                   focalLength, std::as_const(seam).Ref(), std::as_const(seamColor).Ref() },
     picture.Color);
   for (int y = 0; y < picture.Far.Height; ++y)
   {
@@ -282,11 +304,12 @@ TexturedView TextureView(const TriangleMesh& mesh, const TriangleMesh* occluders
 
   TexturedView result = EmptyView(camera.Width, camera.Height);
   PictureInWork picture(result);
-  BlendPixels(buffer, references, camera, options, execution, picture);
+  const BlendInput input(references, camera, options);
+  const bool anyFar = BlendPixels(buffer, input, execution, picture);
   execution.Report(0.9);
-  if (options.FarDeg > 0)
+  if (anyFar)
   {
-    LevelPixels(buffer, references, camera, options, execution, picture);
+    LevelPixels(buffer, input, camera.FocalLength(), execution, picture);
   }
   FillPixels(buffer, picture);
   execution.Report(1);
