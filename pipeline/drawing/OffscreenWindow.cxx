@@ -67,9 +67,9 @@ public:
     constexpr unsigned int noGlx12 = 3;
     constexpr unsigned int noGlxDisplay = 4;
     const unsigned int result = glewInit();
-    this->GlewInitValid = result == ok || result == noGlx12 || result == noGlxDisplay;
-    this->Initialized = this->GlewInitValid;
-    this->Loaded = this->GlewInitValid;
+    this->Loaded = result == ok || result == noGlx12 || result == noGlxDisplay;
+    this->GlewInitValid = this->Loaded; // VTK's own two
+    this->Initialized = this->Loaded;
 #else
     this->SetOpenGLSymbolLoader([](void*, const char* name)
       { return reinterpret_cast<VTKOpenGLAPIProc>(ChosenOpenGLLibrary().Function(name)); },
