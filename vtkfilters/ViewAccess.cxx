@@ -292,6 +292,11 @@ double AttachedNumber(vtkDataObject* to, const char* name, double otherwise)
   return found && found->GetNumberOfTuples() > 0 ? found->GetComponent(0, 0) : otherwise;
 }
 
+double DepthNoiseOf(vtkDataObject* views, double given)
+{
+  return given > 0 ? given : AttachedNumber(views, arrays::DepthNoise, 0);
+}
+
 std::vector<View> ReadColouredViews(vtkMultiBlockDataSet* views, std::size_t atLeast)
 {
   return ReadViews(views, { true, true, true }, atLeast);

@@ -80,6 +80,9 @@ VTKNOVELVIEWFILTERS_EXPORT void AttachNumber(vtkDataObject* to, const char* name
 VTKNOVELVIEWFILTERS_EXPORT double AttachedNumber(
   vtkDataObject* to, const char* name, double otherwise);
 
+/** The noise of the views' depth maps in pixels: `given` if positive, else what is attached, or 0. */
+VTKNOVELVIEWFILTERS_EXPORT double DepthNoiseOf(vtkDataObject* views, double given = 0);
+
 /** A table in the field data, row by row; empty when there is none. */
 VTKNOVELVIEWFILTERS_EXPORT void AttachTable(
   vtkDataObject* to, const char* name, const std::vector<double>& values, int columns);

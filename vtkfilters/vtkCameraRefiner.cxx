@@ -35,13 +35,7 @@ int vtkCameraRefiner::RequestData(
           std::to_string(views.size()) + " with depth maps",
           std::to_string(input->GetNumberOfBlocks()));
       }
-      for (const novelview::View& view : views)
-      {
-        if (view.DepthMap.Empty() || view.Confidence.Empty())
-        {
-          throw novelview::Error("view " + view.Name, "point array Depth or Confidence is missing");
-        }
-      }
+      novelview::RequireDepthMaps(views);
       const novelview::CameraRefinement refinement =
         novelview::RefineCameras(views, this->Options, novelview::ExecutionFor(this));
       this->Refined = refinement.Accepted;

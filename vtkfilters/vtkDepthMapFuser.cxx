@@ -32,16 +32,13 @@ int vtkDepthMapFuser::RequestData(
     {
       vtkMultiBlockDataSet* blocks = vtkMultiBlockDataSet::GetData(inputs[1]);
       novelview::FusedSurfaceOptions options = this->Options;
-      if (options.DepthNoise <= 0)
-      {
-        options.DepthNoise = novelview::AttachedNumber(blocks, novelview::arrays::DepthNoise, 0);
-      }
+      options.DepthNoise = novelview::DepthNoiseOf(blocks, options.DepthNoise);
       const novelview::FusedSurface surface = novelview::FuseDepthMaps(
         novelview::ToTriangleMesh(vtkPolyData::GetData(inputs[0]), "mesh").Points,
         novelview::ReadColouredViews(blocks), options, novelview::ExecutionFor(this));
       novelview::FromTriangleMesh(surface.Mesh, vtkPolyData::GetData(outputs));
-      this->NumberOfDroppedComponents = surface.DroppedComponents;
-      this->NumberOfDroppedTriangles = static_cast<vtkIdType>(surface.DroppedTriangles);
+      this->NumberOfDroppedComponents = surface.Dropped.Components;
+      this->NumberOfDroppedTriangles = static_cast<vtkIdType>(surface.Dropped.Triangles);
     });
 }
 

@@ -8,9 +8,7 @@
 novelview::TsdfDeformationOptions vtkTsdfDeformer::TsdfOptions(vtkDataObject* views)
 {
   novelview::TsdfDeformationOptions options =
-    novelview::OptionsForNoise(this->Options.DepthNoise > 0
-        ? this->Options.DepthNoise
-        : novelview::AttachedNumber(views, novelview::arrays::DepthNoise, 0));
+    novelview::OptionsForNoise(novelview::DepthNoiseOf(views, this->Options.DepthNoise));
   options.Iterations = this->NumberOfIterations;
   options.LastOnly = !this->HasObserver(IterationEvent);
   return options;

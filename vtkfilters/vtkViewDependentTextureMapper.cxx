@@ -75,7 +75,7 @@ double SoftnessOf(const novelview::TextureOptions& options, vtkMultiBlockDataSet
   {
     return options.OcclusionPx;
   }
-  const double noise = novelview::AttachedNumber(views, novelview::arrays::DepthNoise, 0);
+  const double noise = novelview::DepthNoiseOf(views);
   return std::max(options.OcclusionPx, std::min(perNoise * noise, most));
 }
 }

@@ -42,8 +42,7 @@ void InspectCamera(const Camera& camera, int id, std::vector<CameraAnomaly>& ano
   {
     add("aspect", "fy / fx is " + Rounded(aspect) + "; pixels are nearly square in most cameras");
   }
-  const double off =
-    (camera.R * camera.R.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
+  const double off = RotationError(camera.R);
   if (off > 1e-5)
   {
     add("rotation", "rotation is orthonormal to " + Rounded(off) + " only: too few digits");

@@ -213,8 +213,7 @@ void MendRotations(
   double worst = 0;
   for (Photograph& photograph : photographs)
   {
-    const Eigen::Matrix3d& rotation = photograph.Cam.R;
-    const double off = (rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).norm();
+    const double off = RotationError(photograph.Cam.R);
     worst = std::max(worst, off);
     if (off > exact)
     {

@@ -307,7 +307,7 @@ nlohmann::ordered_json RunReport::Summary() const
 
 void RunReport::SetEstimates(vtkMultiBlockDataSet* photographs)
 {
-  const double noise = AttachedNumber(photographs, arrays::DepthNoise, 0);
+  const double noise = DepthNoiseOf(photographs);
   if (noise <= 0)
   {
     return; // no depth maps

@@ -119,13 +119,13 @@ TEST(FusedSurface, KeepsTheLargestComponentAndTellsWhatItDropped)
     Union({ Sphere(Vector3d(0, -0.1, 0), 0.3), Sphere(Vector3d(0, 0.4, 0), 0.1) }), Ring(8, 45));
   const FusedSurface largest = FuseDepthMaps(LargeHull, scene.Views());
   ExpectClosedManifold(largest.Mesh, 0);
-  EXPECT_EQ(largest.DroppedComponents, 1);
+  EXPECT_EQ(largest.Dropped.Components, 1);
   FusedSurfaceOptions options;
   options.KeepAllComponents = true;
   const FusedSurface all = FuseDepthMaps(LargeHull, scene.Views(), options);
   EXPECT_EQ(ExamineTopology(all.Mesh).Components, 2);
-  EXPECT_EQ(all.DroppedComponents, 0);
-  EXPECT_EQ(all.Mesh.Triangles.size(), largest.Mesh.Triangles.size() + largest.DroppedTriangles);
+  EXPECT_EQ(all.Dropped.Components, 0);
+  EXPECT_EQ(all.Mesh.Triangles.size(), largest.Mesh.Triangles.size() + largest.Dropped.Triangles);
 }
 
 TEST(FusedSurface, AnotherSplitOfTheLoopsGivesTheSameBits)

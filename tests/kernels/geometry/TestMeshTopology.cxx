@@ -118,6 +118,32 @@ TEST(MeshTopology, CountsUnusedPointsAndDegenerateTriangles)
   EXPECT_FALSE(topology.IsManifold());
 }
 
+TEST(KeepLargestComponent, DropsTheSmallerOneAndPointsOfNone)
+{
+  TriangleMesh mesh = TwoTetrahedra(0);
+  mesh.Points.insert(mesh.Points.begin(), Vector3d(9, 9, 9)); // used by none
+  for (Eigen::Vector3i& t : mesh.Triangles)
+  {
+    t += Eigen::Vector3i::Ones();
+  }
+  mesh.Triangles.erase(mesh.Triangles.begin()); // the first one is smaller now
+  const Vector3d corner = mesh.Points[mesh.Triangles.back()[0]];
+  const DroppedComponents dropped = KeepLargestComponent(mesh);
+  EXPECT_EQ(dropped.Components, 1);
+  EXPECT_EQ(dropped.Triangles, 3);
+  ASSERT_EQ(mesh.Points.size(), 4);
+  ASSERT_EQ(mesh.Triangles.size(), 4);
+  EXPECT_EQ(mesh.Points[mesh.Triangles.back()[0]], corner);
+  EXPECT_TRUE(ExamineTopology(mesh).IsClosedAndOriented());
+}
+
+TEST(KeepLargestComponent, LeavesAnEmptyMeshAlone)
+{
+  TriangleMesh mesh;
+  EXPECT_EQ(KeepLargestComponent(mesh).Components, 0);
+  EXPECT_TRUE(mesh.Triangles.empty());
+}
+
 TEST(MeshTopology, RefusesIdsThatDoNotExist)
 {
   TriangleMesh mesh = Tetrahedron();

@@ -132,7 +132,8 @@ TEST(EvaluationScores, ClosureIsThatOfTheMeans)
 TEST(EvaluationScores, ViewsWorseThanTheirHullAreNamed)
 {
   EXPECT_THAT(WorseThanHull(TwoViews()), ElementsAre("b,c.png"));
-  EXPECT_EQ(EvaluationJson(TwoViews())["worse_than_hull"], nlohmann::json::array({ "b,c.png" }));
+  EXPECT_EQ(
+    EvaluationJson(TwoViews())["worse_than_hull"], nlohmann::ordered_json::array({ "b,c.png" }));
 }
 
 TEST(EvaluationScores, CsvHoldsEveryNumberAndQuotesNamesWithCommas)

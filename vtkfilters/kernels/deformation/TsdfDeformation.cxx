@@ -33,17 +33,6 @@ double FootprintOf(const std::vector<View>& views, const TriangleMesh& mesh)
   return footprint;
 }
 
-void RequireMaps(const std::vector<View>& views)
-{
-  for (const View& view : views)
-  {
-    if (view.DepthMap.Empty() || view.Confidence.Empty())
-    {
-      throw Error("view " + view.Name, "point array Depth or Confidence is missing");
-    }
-  }
-}
-
 // ---- the outline ----------------------------------------------------------------------------------
 
 class FieldOutlineDeformer
@@ -361,7 +350,7 @@ DeformationResult DeformOutlineByField(const TriangleMesh& mesh,
   const TsdfDeformationOptions& options, const DeformationListener& listener,
   const Execution& execution)
 {
-  RequireMaps(views);
+  RequireDepthMaps(views);
   const double footprint = FootprintOf(views, mesh);
   const TsdfField field(views, options.Outline, footprint);
   const TriangleMesh facing = NovelProjection::FacingPart(mesh, novel);
@@ -378,7 +367,7 @@ DeformationResult DeformNonOutlineByField(const TriangleMesh& mesh,
   const TsdfDeformationOptions& options, const DeformationListener& listener,
   const Execution& execution)
 {
-  RequireMaps(views);
+  RequireDepthMaps(views);
   const double footprint = FootprintOf(views, mesh);
   const TsdfField field(views, options.Surface, footprint);
   FieldRayDeformer deformer(mesh, active, novel, options, footprint);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fusion/FusedSurface.h"
 
-#include "core/DisjointSets.h"
 #include "core/Error.h"
 #include "core/ImageRef.h"
 #include "fusion/SparseTsdf.h"
@@ -72,59 +71,13 @@ std::vector<Vector3d> SeedsOf(const std::vector<Vector3d>& hull, const std::vect
   }
   return seeds;
 }
-
-/** Drops all components but the one with the most triangles, and points that none uses. */
-void KeepLargest(FusedSurface& surface)
-{
-  TriangleMesh& mesh = surface.Mesh;
-  DisjointSets sets(static_cast<int>(mesh.Points.size()));
-  for (const Eigen::Vector3i& t : mesh.Triangles)
-  {
-    sets.Unite(t[0], t[1]);
-    sets.Unite(t[0], t[2]);
-  }
-  std::vector<std::size_t> sizes(mesh.Points.size());
-  for (const Eigen::Vector3i& t : mesh.Triangles)
-  {
-    ++sizes[sets.Find(t[0])];
-  }
-  const int largest =
-    static_cast<int>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
-  const auto components =
-    std::count_if(sizes.begin(), sizes.end(), [](std::size_t size) { return size > 0; });
-  surface.DroppedComponents = static_cast<int>(components) - 1;
-  surface.DroppedTriangles = mesh.Triangles.size() - sizes[largest];
-  std::erase_if(
-    mesh.Triangles, [&](const Eigen::Vector3i& t) { return sets.Find(t[0]) != largest; });
-  std::vector<int> places(mesh.Points.size(), -1);
-  int kept = 0;
-  for (int ptId = 0; ptId < static_cast<int>(places.size()); ++ptId)
-  {
-    if (sets.Find(ptId) == largest)
-    {
-      places[ptId] = kept;
-      mesh.Points[kept++] = mesh.Points[ptId];
-    }
-  }
-  mesh.Points.resize(kept);
-  for (Eigen::Vector3i& t : mesh.Triangles)
-  {
-    t = { places[t[0]], places[t[1]], places[t[2]] };
-  }
-}
 }
 
 //------------------------------------------------------------------------------
 FusedSurface FuseDepthMaps(const std::vector<Vector3d>& hull, const std::vector<View>& views,
   const FusedSurfaceOptions& options, const Execution& execution)
 {
-  for (const View& view : views)
-  {
-    if (view.DepthMap.Empty() || view.Confidence.Empty())
-    {
-      throw Error("view " + view.Name, "point array Depth or Confidence is missing");
-    }
-  }
+  RequireDepthMaps(views);
   const double footprint = MedianFootprint(views, hull);
   if (footprint <= 0)
   {
@@ -139,11 +92,7 @@ FusedSurface FuseDepthMaps(const std::vector<Vector3d>& hull, const std::vector<
   const TsdfField field(weighted, FusionFor(options.DepthNoise), footprint);
   execution.Report(0.1);
   const double spacing = options.SpacingPx * footprint;
-  Eigen::AlignedBox3d bounds;
-  for (const Vector3d& point : hull)
-  {
-    bounds.extend(point);
-  }
+  Eigen::AlignedBox3d bounds = BoundingBox(hull);
   // The hull's points lie within it by a part of their own spacing.
   const Vector3d margin = Vector3d::Constant(4 * footprint);
   bounds = { bounds.min() - margin, bounds.max() + margin };
@@ -160,7 +109,7 @@ FusedSurface FuseDepthMaps(const std::vector<Vector3d>& hull, const std::vector<
   }
   if (!options.KeepAllComponents)
   {
-    KeepLargest(surface);
+    surface.Dropped = KeepLargestComponent(surface.Mesh);
   }
   execution.Report(1);
   return surface;

@@ -4,7 +4,7 @@
 
 #include "core/Execution.h"
 #include "fusion/FusedSurfaceOptions.h"
-#include "geometry/TriangleMesh.h"
+#include "geometry/MeshTopology.h"
 #include "geometry/View.h"
 
 #include <vector>
@@ -13,9 +13,8 @@ namespace novelview
 {
 struct FusedSurface
 {
-  TriangleMesh Mesh;         ///< closed, oriented outwards, manifold
-  int DroppedComponents = 0; ///< smaller than the largest
-  std::size_t DroppedTriangles = 0;
+  TriangleMesh Mesh; ///< closed, oriented outwards, manifold
+  DroppedComponents Dropped;
 };
 
 /**

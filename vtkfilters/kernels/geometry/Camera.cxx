@@ -81,8 +81,7 @@ void Validate(const Camera& camera, const SizeRange& size, const std::string& wh
 {
   CheckForm(camera, where);
   CheckRanges(camera, size, where);
-  const double offOrthogonal =
-    (camera.R * camera.R.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
+  const double offOrthogonal = RotationError(camera.R);
   if (!(offOrthogonal <= 1e-3) || camera.R.determinant() < 0)
   {
     throw Error(
@@ -194,6 +193,11 @@ Camera LookAt(const Eigen::Vector3d& centre, const Eigen::Vector3d& target,
   camera.Width = width;
   camera.Height = height;
   return camera;
+}
+
+double RotationError(const Eigen::Matrix3d& R)
+{
+  return (R * R.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
 }
 
 Eigen::Matrix3d NearestRotation(const Eigen::Matrix3d& matrix)

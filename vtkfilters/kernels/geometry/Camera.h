@@ -85,6 +85,9 @@ Camera InterpolateOnOrbit(const Camera& from, const Camera& to, double fraction)
 Camera LookAt(const Eigen::Vector3d& centre, const Eigen::Vector3d& target,
   const Eigen::Vector3d& up, const Eigen::Matrix3d& K, int width, int height);
 
+/** The largest element of |R R^T - I|: 0 of a rotation or reflection. */
+double RotationError(const Eigen::Matrix3d& R);
+
 /** The rotation nearest to a matrix: one that is a rotation to a few digits, or a sum of rotations. */
 Eigen::Matrix3d NearestRotation(const Eigen::Matrix3d& matrix);
 

@@ -139,6 +139,49 @@ MeshTopology ExamineTopology(const TriangleMesh& mesh)
   return topology;
 }
 
+DroppedComponents KeepLargestComponent(TriangleMesh& mesh)
+{
+  DisjointSets sets(static_cast<int>(mesh.Points.size()));
+  for (const Eigen::Vector3i& t : mesh.Triangles)
+  {
+    sets.Unite(t[0], t[1]);
+    sets.Unite(t[0], t[2]);
+  }
+  std::vector<std::size_t> sizes(mesh.Points.size());
+  for (const Eigen::Vector3i& t : mesh.Triangles)
+  {
+    ++sizes[sets.Find(t[0])];
+  }
+  const auto components =
+    std::count_if(sizes.begin(), sizes.end(), [](std::size_t size) { return size > 0; });
+  if (components == 0)
+  {
+    return {};
+  }
+  const auto largest =
+    static_cast<int>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
+  const DroppedComponents dropped{ static_cast<int>(components) - 1,
+    mesh.Triangles.size() - sizes[largest] };
+  std::erase_if(
+    mesh.Triangles, [&](const Eigen::Vector3i& t) { return sets.Find(t[0]) != largest; });
+  std::vector<int> places(mesh.Points.size(), -1);
+  int kept = 0;
+  for (int ptId = 0; ptId < static_cast<int>(places.size()); ++ptId)
+  {
+    if (sets.Find(ptId) == largest)
+    {
+      places[ptId] = kept;
+      mesh.Points[kept++] = mesh.Points[ptId];
+    }
+  }
+  mesh.Points.resize(kept);
+  for (Eigen::Vector3i& t : mesh.Triangles)
+  {
+    t = { places[t[0]], places[t[1]], places[t[2]] };
+  }
+  return dropped;
+}
+
 double SignedVolume(const TriangleMesh& mesh)
 {
   if (mesh.Points.empty())

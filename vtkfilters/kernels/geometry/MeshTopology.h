@@ -4,6 +4,8 @@
 
 #include "geometry/TriangleMesh.h"
 
+#include <cstddef>
+
 namespace novelview
 {
 /**
@@ -52,6 +54,19 @@ struct MeshTopology
  * Throws Error when a triangle names a point that does not exist.
  */
 MeshTopology ExamineTopology(const TriangleMesh& mesh);
+
+/** What KeepLargestComponent() dropped. */
+struct DroppedComponents
+{
+  int Components = 0;
+  std::size_t Triangles = 0;
+};
+
+/**
+ * Drops all components but the one with the most triangles, and points that it does not use. Of
+ * components of one size the one with the smallest point id stays.
+ */
+DroppedComponents KeepLargestComponent(TriangleMesh& mesh);
 
 /**
  * The volume a closed mesh encloses, in cubic world units: positive when its triangles are

@@ -2,11 +2,13 @@
 #ifndef novelview_View_h
 #define novelview_View_h
 
+#include "core/Error.h"
 #include "core/ImageRef.h"
 #include "geometry/Camera.h"
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace novelview
 {
@@ -28,6 +30,18 @@ struct View
 
   bool IsObject(int x, int y) const { return this->Mask(x, y) > 127; }
 };
+
+/** Throws Error when a view has no depth map or no confidences. */
+inline void RequireDepthMaps(const std::vector<View>& views)
+{
+  for (const View& view : views)
+  {
+    if (view.DepthMap.Empty() || view.Confidence.Empty())
+    {
+      throw Error("view " + view.Name, "point array Depth or Confidence is missing");
+    }
+  }
+}
 }
 
 #endif
