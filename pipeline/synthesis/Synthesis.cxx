@@ -4,9 +4,9 @@
 #include "ViewAccess.h"
 #include "base/NumberText.h"
 #include "core/Error.h"
+#include "synthesis/SceneRunner.h"
 #include "synthesis/StageCache.h"
 #include "synthesis/StageRunner.h"
-#include "synthesis/SynthesisStages.h"
 #include "vtkPinholeCamera.h"
 
 #include <vtkCallbackCommand.h>
@@ -19,11 +19,6 @@ namespace novelview
 {
 namespace
 {
-std::string Pixels(double length)
-{
-  return Formatted("%.1f px", length);
-}
-
 /** An image without a single pixel of the object is nothing to hand out silently. */
 void RequireObject(vtkImageData* image)
 {
@@ -47,6 +42,7 @@ public:
     : Options(options)
     , Listener(std::move(listener))
     , Filters(views, options)
+    , Scene(this->Filters, this->Options, this->Listener)
   {
     if (!options.Cache.empty())
     {
@@ -59,6 +55,7 @@ public:
     : Options(options)
     , Listener(std::move(listener))
     , Filters(prepared.Views, options)
+    , Scene(this->Filters, this->Options, this->Listener)
     , Kept(prepared)
   {
     this->UseKept();
@@ -75,8 +72,7 @@ public:
   {
     if (!this->Load())
     {
-      this->RefinesCameras() ? this->RunScene() : this->RunHull();
-      this->WarnOfHull();
+      this->Scene.MakeHull();
     }
     return this->Kept ? this->Kept->Hull.Get() : this->Filters.HullSource->GetOutput();
   }
@@ -85,8 +81,7 @@ public:
   {
     if (!this->Load())
     {
-      this->RefinesCameras() ? this->RunScene() : this->RunCrust();
-      this->WarnOfHull();
+      this->Scene.MakeHullAndCrust();
     }
     return this->Kept ? this->Kept->Crust.Get() : this->Filters.Mesher->GetOutput();
   }
@@ -119,12 +114,11 @@ public:
       return crust;
     }
     vtkDepthMapFuser* fuser = this->Filters.Fuser;
-    const double given = fuser->GetDepthNoise();
-    const double noise =
-      given > 0 ? given : AttachedNumber(this->Photographs(), arrays::DepthNoise, 0);
+    const double noise = DepthNoiseOf(this->Photographs(), fuser->GetDepthNoise());
     if (noise > FusedSurfaceOptions::MaxDepthNoise)
     {
-      this->Warn("mesh: depth maps of neighbouring photographs differ by " + Pixels(noise) +
+      this->Scene.Warn("mesh: depth maps of neighbouring photographs differ by " +
+        Formatted("%.1f px", noise) +
         ", too much to be fused; the mesh is the power crust of the hull");
       return crust;
     }
@@ -133,7 +127,7 @@ public:
     this->Run("mesh", fuser);
     if (const int dropped = fuser->GetNumberOfDroppedComponents(); dropped > 0)
     {
-      this->Warn("mesh: " + std::to_string(dropped) + " smaller component(s) with " +
+      this->Scene.Warn("mesh: " + std::to_string(dropped) + " smaller component(s) with " +
         std::to_string(fuser->GetNumberOfDroppedTriangles()) +
         " triangles left out; --hull-keep-all keeps them");
     }
@@ -188,9 +182,7 @@ private:
     {
       return;
     }
-    this->RunScene();
-    this->WarnOfHull();
-    this->WarnOfGains();
+    this->Scene.MakeAll();
     if (!this->Cache || this->Stored)
     {
       return;
@@ -240,9 +232,9 @@ private:
     {
       filter->SetInputDataObject(1, this->Kept->Views);
     }
-    for (const std::string& warning : std::vector<std::string>(this->Kept->Warnings))
+    for (const std::string& warning : this->Kept->Warnings)
     {
-      this->Warn(warning);
+      this->Scene.Warn(warning);
     }
   }
 
@@ -254,7 +246,7 @@ private:
     results.MedialBalls = vtkPolyData::SafeDownCast(this->Filters.Mesher->GetOutputDataObject(1));
     results.Views = vtkMultiBlockDataSet::SafeDownCast(
       this->Filters.Mapper->GetInputAlgorithm(1, 0)->GetOutputDataObject(0));
-    results.Warnings = this->Warnings;
+    results.Warnings = this->Scene.GetWarnings();
     return results;
   }
 
@@ -262,15 +254,6 @@ private:
   std::array<vtkAlgorithm*, 3> ViewUsers()
   {
     return { this->Filters.Outline, this->Filters.NonOutline, this->Filters.Mapper };
-  }
-
-  void Warn(const std::string& text)
-  {
-    this->Warnings.push_back(text);
-    if (this->Listener.Warn)
-    {
-      this->Listener.Warn(text);
-    }
   }
 
   /**
@@ -284,182 +267,6 @@ private:
       this->Listener.Warn("cache: " + text);
     }
     this->WarnedOfCache = true;
-  }
-
-  /** Refined cameras change all that comes before them, too. */
-  bool RefinesCameras() { return this->Filters.CameraRefiner->GetNumberOfInputConnections(0) > 0; }
-
-  /** Every stage before the novel camera; with better cameras, if there are, all of them again. */
-  void RunScene()
-  {
-    this->Options.UseDepthMaps ? this->RunCrustAndDepths() : this->RunCrust();
-    if (this->RefinesCameras() && !std::exchange(this->TriedCameras, true))
-    {
-      this->Run("cameras", this->Filters.CameraRefiner);
-      if (this->Filters.CameraRefiner->GetRefined())
-      {
-        this->UseRefinedCameras();
-        this->RunCrustAndDepths();
-      }
-    }
-  }
-
-  void UseRefinedCameras()
-  {
-    vtkCameraRefiner* refiner = this->Filters.CameraRefiner;
-    vtkNew<vtkMultiBlockDataSet> views;
-    views->ShallowCopy(refiner->GetOutput());
-    double largest = 0;
-    std::string where;
-    for (unsigned int viewId = 0; viewId < views->GetNumberOfBlocks(); ++viewId)
-    {
-      const double shift = AttachedNumber(ViewImage(views, viewId), arrays::CameraShift, 0);
-      if (shift > largest)
-      {
-        largest = shift;
-        where = ViewName(views, viewId);
-      }
-    }
-    this->Warn(
-      Formatted("cameras refined: photographs disagreed by %.2f px", refiner->GetErrorBefore()) +
-      Formatted(", now by %.2f px", refiner->GetErrorAfter()) +
-      Formatted("; largest shift %.2f px (", largest) + where +
-      "); --no-refine-cameras keeps the given ones");
-    this->Filters.Views->SetOutput(views);
-  }
-
-  /** They stand in the place of the given ones from here on. */
-  void UseRepairedSilhouettes()
-  {
-    vtkNew<vtkMultiBlockDataSet> views;
-    views->ShallowCopy(this->Filters.Repairer->GetOutput());
-    for (unsigned int viewId = 0; viewId < views->GetNumberOfBlocks(); ++viewId)
-    {
-      const double added = AttachedNumber(ViewImage(views, viewId), arrays::AddedPixels, 0);
-      if (added > 0)
-      {
-        this->Warn("silhouette of " + ViewName(views, viewId) + ": " + Formatted("%.0f", added) +
-          " px added that most other silhouettes show; --no-repair-silhouettes leaves them out");
-      }
-    }
-    this->Filters.Views->SetOutput(views);
-  }
-
-  void RunHull()
-  {
-    if (this->Options.ReconcileSilhouettes)
-    {
-      this->Run("silhouettes", this->Filters.Reconciler);
-    }
-    this->Run("visual hull", this->Filters.HullSource);
-    // What a box cuts off is not missing in a silhouette.
-    const bool cut = this->Filters.HullSource->GetCutByBox();
-    if (this->Options.RepairSilhouettes && !std::exchange(this->TriedRepair, true) && !cut)
-    {
-      this->Run("silhouettes", this->Filters.Repairer);
-      if (this->Filters.Repairer->GetRepaired())
-      {
-        this->UseRepairedSilhouettes();
-        this->Run("visual hull", this->Filters.HullSource);
-      }
-    }
-    vtkPolyData* hull = this->Filters.HullSource->GetOutput();
-    if (hull->GetMTime() > this->HullOfCrust->GetMTime())
-    {
-      // By hand, since pipelines that run at the same time must have no filter in common.
-      this->HullOfCrust->ShallowCopy(hull);
-      this->Filters.Mesher->SetInputData(this->HullOfCrust);
-    }
-  }
-
-  /** Reports once what was done to the silhouettes, and components that were left out. */
-  void WarnOfHull()
-  {
-    if (std::exchange(this->WarnedOfHull, true))
-    {
-      return;
-    }
-    if (this->Options.ReconcileSilhouettes)
-    {
-      this->WarnOfOffsets();
-    }
-    if (this->Filters.HullSource->GetCutByBox())
-    {
-      this->Warn("visual hull: cut at the box of --hull-box" +
-        std::string(this->Options.RepairSilhouettes ? "; silhouettes are not repaired" : ""));
-    }
-    if (const int dropped = this->Filters.HullSource->GetNumberOfDroppedComponents(); dropped > 0)
-    {
-      this->Warn("visual hull: " + std::to_string(dropped) + " smaller component(s) with " +
-        std::to_string(this->Filters.HullSource->GetNumberOfDroppedSamples()) +
-        " samples left out; --hull-keep-all keeps them");
-    }
-  }
-
-  /** Reports photographs that are brought to one exposure. */
-  void WarnOfGains()
-  {
-    if (!this->Options.UseDepthMaps || !this->Options.Texture.UseGains)
-    {
-      return;
-    }
-    vtkMultiBlockDataSet* views = this->Filters.DepthEstimator->GetOutput();
-    double least = 1;
-    double most = 1;
-    for (unsigned int viewId = 0; viewId < views->GetNumberOfBlocks(); ++viewId)
-    {
-      const double gain = AttachedNumber(ViewImage(views, viewId), arrays::ExposureGain, 1);
-      least = std::min(least, gain);
-      most = std::max(most, gain);
-    }
-    if (least < most)
-    {
-      this->Warn("exposures differ by up to " + Formatted("%.0f %%", 100 * (most / least - 1)) +
-        "; photographs are brought to their mean; --no-exposure-gains keeps them as they are");
-    }
-  }
-
-  void RunCrust()
-  {
-    this->RunHull();
-    this->Run("power crust", this->Filters.Mesher);
-  }
-
-  /** Neither needs the other, and the crust keeps few threads busy. */
-  void RunCrustAndDepths()
-  {
-    this->RunHull();
-    const double saved = RunStagesTogether({ "depth maps", this->Filters.DepthEstimator },
-      { "power crust", this->Filters.Mesher }, this->Listener.Progress, this->Listener.StageDone);
-    if (this->Listener.StagesOverlapped && saved > 0)
-    {
-      this->Listener.StagesOverlapped(saved);
-    }
-  }
-
-  /** Reports every silhouette that was enlarged. */
-  void WarnOfOffsets()
-  {
-    vtkMultiBlockDataSet* views = this->Filters.Reconciler->GetOutput();
-    std::vector<double> offsets;
-    for (unsigned int viewId = 0; viewId < views->GetNumberOfBlocks(); ++viewId)
-    {
-      offsets.push_back(AttachedNumber(ViewImage(views, viewId), arrays::ContourOffset, 0));
-    }
-    const double common = *std::min_element(offsets.begin(), offsets.end());
-    if (common > 0)
-    {
-      this->Warn(
-        "silhouettes and cameras disagree; every silhouette is enlarged by " + Pixels(common));
-    }
-    for (unsigned int viewId = 0; viewId < offsets.size(); ++viewId)
-    {
-      if (offsets[viewId] > common)
-      {
-        this->Warn("silhouette of " + ViewName(views, viewId) + ": " +
-          Pixels(offsets[viewId] - common) + " smaller than the others allow; enlarged by that");
-      }
-    }
   }
 
   void Run(const std::string& stage, vtkAlgorithm* filter)
@@ -528,16 +335,12 @@ private:
   const SynthesisOptions Options;
   const SynthesisListener Listener;
   SynthesisStages Filters;
+  SceneRunner Scene;
   std::optional<StageCache> Cache;
   std::optional<SceneGeometry> Kept; ///< what the cache had
-  vtkNew<vtkPolyData> HullOfCrust;   ///< the Mesher's input
   bool Looked = false;
   bool Stored = false;
-  std::vector<std::string> Warnings;
   bool WarnedOfCache = false;
-  bool WarnedOfHull = false;
-  bool TriedRepair = false;
-  bool TriedCameras = false; ///< whether the cameras are as good as they get
 };
 
 Synthesis::Synthesis(
