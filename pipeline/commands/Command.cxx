@@ -48,6 +48,17 @@ OptionWarning WarnOn(Console& console)
   return [&console](const std::string& text) { console.Warn(text); };
 }
 
+/** Threads and renderer count for the whole process. */
+template <class Options>
+void ApplyToProgram(const Options& options)
+{
+  LimitThreads(options.Threads);
+  if constexpr (requires { options.Renderer; })
+  {
+    ChooseRenderer(options.Renderer);
+  }
+}
+
 /** A command of this process alone; `work` may return whether there are no problems. */
 template <class Options, class Result>
 Command Single(const char* name, const char* help, const char* datasetHelp,
@@ -58,11 +69,7 @@ Command Single(const char* name, const char* help, const char* datasetHelp,
                      const fs::path& dataset, const ParsedArguments& given, CommandContext& context)
   {
     const Options options = make(dataset, given, WarnOn(context.Out));
-    LimitThreads(options.Threads);
-    if constexpr (requires { options.Renderer; })
-    {
-      ChooseRenderer(options.Renderer);
-    }
+    ApplyToProgram(options);
     if constexpr (std::is_same_v<Result, bool>)
     {
       return work(options, context.Out) ? ExitCode::Ok : ExitCode::Problems;
@@ -86,11 +93,7 @@ Command Shared(const char* name, const char* help,
                      const fs::path& dataset, const ParsedArguments& given, CommandContext& context)
   {
     const Options options = make(dataset, given, WarnOn(context.Out));
-    LimitThreads(options.Threads);
-    if constexpr (requires { options.Renderer; })
-    {
-      ChooseRenderer(options.Renderer);
-    }
+    ApplyToProgram(options);
     work(options, context.Out, context.StartProcesses(options.RankTimeoutSeconds));
     return ExitCode::Ok;
   };
