@@ -34,7 +34,10 @@ struct Photograph : NamedCamera
   std::filesystem::path Mask; ///< its silhouette; empty = its alpha channel or, without, extracted
   ColorReading Reading;       ///< how its colours are read; the mask is as it is
   bool InvertMask = false;    ///< object is black (or, as alpha, transparent)
-  std::string Where;          ///< of the calibration, for messages: file and line
+  /** Size of the file where Cam is for a smaller picture, to which it is reduced; 0 = Cam's. */
+  int FileWidth = 0;
+  int FileHeight = 0;
+  std::string Where; ///< of the calibration, for messages: file and line
 };
 }
 

@@ -10,6 +10,8 @@
 #include "check/MaskCheck.h"
 #include "check/OrientationCheck.h"
 #include "check/PixelCentreCheck.h"
+#include "core/Error.h"
+#include "dataset/PhotographSize.h"
 
 #include <algorithm>
 #include <utility>
@@ -34,6 +36,34 @@ void ReadPhotographs(CheckContext& context, const Execution& execution)
   execution.Report(0.2);
 }
 
+/** Whether `run` reduces the photographs, and those that can be read have one size per K. */
+void CheckSizes(CheckContext& context)
+{
+  DatasetIndex readable;
+  for (std::size_t i = 0; i < context.Report.Cameras.size(); ++i)
+  {
+    if (context.Report.Photographs[i].Width > 0)
+    {
+      readable.Cameras.push_back(context.Report.Cameras[i]);
+    }
+  }
+  try
+  {
+    if (!readable.Cameras.empty())
+    {
+      LimitSize(readable, {}, context.Input.MaxSize);
+    }
+  }
+  catch (const Error& error)
+  {
+    context.Add(CheckSeverity::Error, "size", "", error.what());
+  }
+  for (const ReadingNote& note : readable.Notes)
+  {
+    context.Add(CheckSeverity::Note, note.Kind, "", note.Text);
+  }
+}
+
 /** What reading ignored, guessed or changed. */
 void CheckReading(CheckContext& context)
 {
@@ -52,6 +82,7 @@ CheckReport CheckDataset(const DatasetInput& input, const Execution& execution)
   CheckConvention(context);
   execution.Report(0.6);
   CheckReading(context);
+  CheckSizes(context);
   CheckOrientation(context);
   CheckFiles(context);
   CheckMasks(context);

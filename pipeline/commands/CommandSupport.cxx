@@ -5,6 +5,7 @@
 #include "base/AtomicFile.h"
 #include "base/InputFile.h"
 #include "core/Error.h"
+#include "dataset/PhotographSize.h"
 #include "images/ImageFile.h"
 
 #include <algorithm>
@@ -24,7 +25,9 @@ void PrepareFolder(const fs::path& folder, const std::vector<fs::path>& files)
 
 DatasetIndex FindInput(const DatasetInput& input)
 {
-  return ReadDatasetIndex(input.Dataset, input.Source);
+  DatasetIndex index = ReadDatasetIndex(input.Dataset, input.Source);
+  LimitSize(index, input.Exclude, input.MaxSize);
+  return index;
 }
 
 void WarnOf(const DatasetIndex& index, Console& console)

@@ -21,7 +21,7 @@ namespace novelview
 void PrepareFolder(
   const std::filesystem::path& folder, const std::vector<std::filesystem::path>& files);
 
-/** The calibration of the photographs. */
+/** The calibration of the photographs, which are reduced as the input says. */
 DatasetIndex FindInput(const DatasetInput& input);
 
 /** Prints what reading the calibration ignored, guessed or changed; ReadInput() does, too. */

@@ -9,7 +9,7 @@
 #include "cameras/CameraGrid.h"
 #include "commands/CommandSupport.h"
 #include "dataset/Dataset.h"
-#include "dataset/ViewSpec.h"
+#include "dataset/PhotographSize.h"
 #include "formats/DatasetFormats.h"
 #include "images/ImageFile.h"
 

@@ -10,6 +10,7 @@
 #include "core/Error.h"
 #include "dataset/DatasetFiles.h"
 #include "dataset/ExifDecision.h"
+#include "dataset/PhotographSize.h"
 #include "formats/DatasetFormats.h"
 #include "formats/ForeignCalibrations.h"
 #include "images/ExifOrientation.h"
@@ -122,28 +123,16 @@ Prepared Prepare(const Photograph& photograph, const DatasetOptions& options)
   return result;
 }
 
-/**
- * A photograph that was resized after its calibration would carve the object away. It shows where
- * another photograph has the same K.
- */
-void CheckSizes(const std::vector<Photograph>& cameras, const std::vector<Prepared>& prepared)
+void CheckSizes(std::vector<Photograph> cameras, const std::vector<Prepared>& prepared)
 {
-  for (std::size_t i = 1; i < cameras.size(); ++i)
+  for (std::size_t i = 0; i < cameras.size(); ++i)
   {
-    int size[2][3];
-    for (std::size_t j = 0; j < i; ++j)
-    {
-      prepared[i].Block->GetDimensions(size[0]);
-      prepared[j].Block->GetDimensions(size[1]);
-      if (cameras[i].Cam.K == cameras[j].Cam.K &&
-        (size[0][0] != size[1][0] || size[0][1] != size[1][1]))
-      {
-        throw Error("view " + cameras[i].Name,
-          "photograph has another size than " + cameras[j].Name + ", whose K is the same",
-          SizeText(size[0][0], size[0][1]), SizeText(size[1][0], size[1][1]));
-      }
-    }
+    int size[3];
+    prepared[i].Block->GetDimensions(size);
+    cameras[i].Cam.Width = size[0];
+    cameras[i].Cam.Height = size[1];
   }
+  RequireOneSizePerK(cameras);
 }
 
 /** Reports which photographs have no mask although others have one. */
@@ -285,15 +274,15 @@ Image<std::uint8_t> ReadGivenMask(const Photograph& photograph)
   return mask;
 }
 
-PhotographPixels ReadPhotograph(
-  const Photograph& photograph, bool forceSilhouette, const SilhouetteOptions& silhouette)
+namespace
 {
-  PhotographPixels pixels;
-  pixels.Color = ReadColorFile(photograph.File, photograph.Reading, &pixels.Warnings);
-  const int width = pixels.Color.Width;
-  const int height = pixels.Color.Height;
-  const Camera& camera = photograph.Cam;
-  if (camera.Width > 0 && (camera.Width != width || camera.Height != height))
+/** Throws when a photograph has another size than its calibration says. */
+void CheckSize(const Image<std::uint8_t>& color, const Photograph& photograph)
+{
+  const bool reduced = photograph.FileWidth > 0;
+  const int width = reduced ? photograph.FileWidth : photograph.Cam.Width;
+  const int height = reduced ? photograph.FileHeight : photograph.Cam.Height;
+  if (width > 0 && (color.Width != width || color.Height != height))
   {
     const int tag = ReadExifOrientation(photograph.File);
     throw Error(photograph.File.string(),
@@ -301,12 +290,31 @@ PhotographPixels ReadPhotograph(
         (tag == 1 ? ""
                   : ", with its EXIF orientation tag (" + std::to_string(tag) + ") " +
               (photograph.Reading.Orientation == 1 ? "ignored" : "applied")),
-      SizeText(width, height), SizeText(camera.Width, camera.Height));
+      SizeText(color.Width, color.Height), SizeText(width, height));
   }
+}
+}
+
+PhotographPixels ReadPhotograph(
+  const Photograph& photograph, bool forceSilhouette, const SilhouetteOptions& silhouette)
+{
+  PhotographPixels pixels;
+  pixels.Color = ReadColorFile(photograph.File, photograph.Reading, &pixels.Warnings);
+  CheckSize(pixels.Color, photograph);
   if (!forceSilhouette)
   {
     pixels.Mask = ReadGivenMask(photograph);
     pixels.Source = photograph.Mask.empty() ? MaskSource::Alpha : MaskSource::File;
+  }
+  if (!pixels.Mask.Values.empty())
+  {
+    CheckSize(pixels.Mask, pixels.Color.Width, pixels.Color.Height, photograph.Mask);
+  }
+  const Camera& camera = photograph.Cam;
+  if (photograph.FileWidth > 0)
+  {
+    pixels.Color = ReducedImage(pixels.Color.Ref(), camera.Width, camera.Height);
+    pixels.Mask = ReducedImage(pixels.Mask.Ref(), camera.Width, camera.Height);
   }
   if (pixels.Mask.Values.empty())
   {
@@ -314,7 +322,6 @@ PhotographPixels ReadPhotograph(
     pixels.Mask = ExtractSilhouette(pixels.Color.Ref(), silhouette);
     pixels.Source = MaskSource::Extracted;
   }
-  CheckSize(pixels.Mask, width, height, photograph.Mask);
   if (!photograph.Distortion.IsPinhole())
   {
     pixels.Color = Undistorted(pixels.Color.Ref(), photograph.Distortion, camera.K);

@@ -44,6 +44,7 @@ struct DatasetIndex
   std::string Format;                ///< its format
   std::vector<Photograph> Cameras;   ///< with distinct names
   std::vector<ReadingNote> Notes;    ///< what was ignored, guessed or changed
+  int MaxSize = 0;                   ///< longer side to which photographs are reduced; 0 = none is
 };
 
 /**

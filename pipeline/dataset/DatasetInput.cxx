@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dataset/DatasetInput.h"
 
+#include "cameras/CameraLimits.h"
 #include "formats/DatasetFormats.h"
 
 namespace novelview
@@ -59,6 +60,10 @@ OptionTable OptionsOf(DatasetInput& input)
     { "exclude", "photographs to leave out", "", group, &input.Exclude },
     { "forceSilhouettes", "extract silhouettes although there are masks", "", group,
       &input.ForceSilhouettes },
+    { "maxSize",
+      "longer side to which photographs are reduced on reading, 0 = never; so that 4 GiB of memory "
+      "suffice when not given",
+      "px", group, &input.MaxSize, 0, MaxExtentPx },
   };
   AppendOptions(table, OptionsOf(input.Silhouette));
   AppendOptions(table, OptionsOf(input.Source, "format"));

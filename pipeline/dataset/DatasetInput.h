@@ -7,6 +7,7 @@
 #include "options/Options.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct DatasetInput
   DatasetSource Source;             ///< its calibration
   std::vector<std::string> Exclude; ///< photographs to leave out
   bool ForceSilhouettes = false;    ///< extract silhouettes although there are masks
+  std::optional<double> MaxSize;    ///< see LimitSize()
   SilhouetteOptions Silhouette;
 };
 

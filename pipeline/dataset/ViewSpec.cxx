@@ -3,9 +3,7 @@
 
 #include "base/UsageError.h"
 #include "cameras/CameraGrid.h"
-#include "core/Error.h"
-#include "images/ExifOrientation.h"
-#include "images/ImageFile.h"
+#include "dataset/PhotographSize.h"
 
 #include <algorithm>
 #include <charconv>
@@ -101,37 +99,18 @@ const Photograph& FindByNameOrNumber(const DatasetIndex& dataset, const std::str
   return named ? *named : Find(dataset.Cameras, text, dataset.Calibration.string());
 }
 
-/** Sets the size to that of the image. */
-void SetSizeFromImage(Camera& camera, const Photograph& photograph)
-{
-  const PictureSize size = ReadPictureSize(photograph.File);
-  const bool turned = SwapsSides(photograph.Reading.Orientation);
-  camera.Width = turned ? size.Height : size.Width;
-  camera.Height = turned ? size.Width : size.Height;
-}
-
-/** Sets the size to that of a photograph, opening it only when its calibration does not say it. */
-void SetSizeFrom(Camera& camera, const Photograph& photograph)
-{
-  if (photograph.Cam.Width == 0)
-  {
-    SetSizeFromImage(camera, photograph);
-    return;
-  }
-  camera.Width = photograph.Cam.Width;
-  camera.Height = photograph.Cam.Height;
-}
-
 ResolvedView ResolveFile(const ViewSpec& spec, const DatasetIndex& dataset)
 {
-  const Photograph found = Find(ReadViewCameras(spec.ParFile), spec.Name, spec.ParFile.string());
+  Photograph found = Find(ReadViewCameras(spec.ParFile), spec.Name, spec.ParFile.string());
   ResolvedView view;
-  view.Cam = found.Cam;
   std::error_code failure;
   if (fs::exists(found.File, failure))
   {
+    // A picture is compared at the size of the others.
+    Reduce(found, dataset.MaxSize);
     view.Truth = found;
   }
+  view.Cam = found.Cam;
   // A camera of the data set's own calibration: its photograph is the truth, so no stage uses it.
   for (const Photograph& own : dataset.Cameras)
   {
@@ -144,47 +123,12 @@ ResolvedView ResolveFile(const ViewSpec& spec, const DatasetIndex& dataset)
   }
   if (view.Cam.Width == 0)
   {
-    SetSizeFrom(view.Cam, view.Truth.File.empty() ? dataset.Cameras.front() : view.Truth);
+    const Camera like = SizedCamera(view.Truth.File.empty() ? dataset.Cameras.front() : view.Truth);
+    view.Cam.Width = like.Width;
+    view.Cam.Height = like.Height;
   }
   return view;
 }
-}
-
-Camera SizedCamera(const Photograph& photograph)
-{
-  Camera camera = photograph.Cam;
-  SetSizeFrom(camera, photograph);
-  return camera;
-}
-
-Camera InFrame(const Photograph& photograph, int width, int height, const std::string& with)
-{
-  constexpr double alike = 0.01; // cropping changes more, rounding of sizes less
-  Camera camera = SizedCamera(photograph);
-  const double x = static_cast<double>(width) / camera.Width;
-  const double y = static_cast<double>(height) / camera.Height;
-  if (std::abs(x - y) <= alike * std::max(x, y))
-  {
-    // Pixel centres are integers: x + 0.5 is what scales.
-    camera.K.topRows<2>() = Eigen::Vector2d(x, y).asDiagonal() * camera.K.topRows<2>();
-    camera.K(0, 2) += (x - 1) / 2;
-    camera.K(1, 2) += (y - 1) / 2;
-  }
-  else if (camera.Width == height && camera.Height == width)
-  {
-    camera.K(0, 2) += (width - camera.Width) / 2.0;
-    camera.K(1, 2) += (height - camera.Height) / 2.0;
-  }
-  else
-  {
-    throw Error("view " + photograph.Name,
-      "has another shape than " + with + ", so their cameras cannot be averaged",
-      SizeText(camera.Width, camera.Height),
-      SizeText(width, height) + ", or a size that is scaled or turned from it");
-  }
-  camera.Width = width;
-  camera.Height = height;
-  return camera;
 }
 
 ViewSpec ParseViewSpec(const std::string& text)
@@ -265,10 +209,9 @@ ResolvedView ResolveViewSpec(const ViewSpec& spec, const DatasetIndex& dataset)
   if (spec.What == ViewSpec::Kind::Like)
   {
     const Photograph& like = FindByNameOrNumber(dataset, spec.Name);
-    view.Cam = grid.Rounded(like.Cam);
+    view.Cam = grid.Rounded(SizedCamera(like));
     view.HeldOut = like.Name;
     view.Truth = like;
-    SetSizeFrom(view.Cam, like);
     return view;
   }
   const Photograph& from = FindByNameOrNumber(dataset, spec.From);

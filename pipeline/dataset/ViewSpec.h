@@ -55,16 +55,6 @@ struct ResolvedView
   Photograph Truth;    ///< image to compare with; File is empty when none is known
 };
 
-/** A photograph's camera with its size, which is opened only when its calibration does not say it. */
-Camera SizedCamera(const Photograph& photograph);
-
-/**
- * A photograph's camera for a frame of another size: K scaled where the shapes are alike (within 1 %),
- * the principal point as far from the middle of the frame where portrait and landscape are. Throws
- * Error where neither is so; `with` names what the frame is taken from.
- */
-Camera InFrame(const Photograph& photograph, int width, int height, const std::string& with);
-
 /**
  * Looks the cameras of a view up. The image's size is that of the photograph A, of IMAGE, of the
  * image NAME or, where there is none, of the first photograph of the data set. Throws UsageError

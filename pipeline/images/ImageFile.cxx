@@ -236,19 +236,15 @@ void WriteFloatFile(const fs::path& path, const ImageRef<const float>& pixels)
   Encode(path, ToMat(pixels));
 }
 
-PictureSize ReadPictureSize(const fs::path& path)
+Image<std::uint8_t> ReducedImage(const ImageRef<const std::uint8_t>& pixels, int width, int height)
 {
-  // A PNG file: 8 bytes of signature, the length and name of the first chunk, then the size.
-  const std::string head = ReadInputStart(path, 24);
-  if (head.size() == 24 && head.compare(1, 5, "PNG\r\n") == 0)
+  if (pixels.Empty())
   {
-    const auto byte = [&head](int at) { return static_cast<unsigned char>(head[at]); };
-    const auto number = [&byte](int at)
-    { return byte(at) << 24 | byte(at + 1) << 16 | byte(at + 2) << 8 | byte(at + 3); };
-    return { number(16), number(20) };
+    return {};
   }
-  const cv::Mat mat = DecodePicture(path, cv::IMREAD_GRAYSCALE | cv::IMREAD_IGNORE_ORIENTATION);
-  return { mat.cols, mat.rows };
+  cv::Mat reduced;
+  cv::resize(ToMat(pixels), reduced, cv::Size(width, height), 0, 0, cv::INTER_AREA);
+  return FromMat<std::uint8_t>(reduced);
 }
 
 void SetPixels(vtkImageData* image, const char* array, const ImageRef<const std::uint8_t>& pixels)

@@ -64,7 +64,10 @@ std::vector<std::uint8_t> EncodePng(
 /** One channel, as a 32-bit float TIFF; the extension must be .tif or .tiff. */
 void WriteFloatFile(const std::filesystem::path& path, const ImageRef<const float>& pixels);
 
-/** Width and height of an image; a PNG's are read from its header alone. */
+/** The image made smaller, each pixel the mean of its area; empty when it is. */
+Image<std::uint8_t> ReducedImage(const ImageRef<const std::uint8_t>& pixels, int width, int height);
+
+/** Width and height of an image; of PNG and JPEG files from the header alone. */
 struct PictureSize
 {
   int Width = 0;

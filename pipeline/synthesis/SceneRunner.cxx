@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <malloc.h>
+
 namespace novelview
 {
 namespace
@@ -110,6 +112,8 @@ void SceneRunner::RunCrustAndDepths()
   {
     this->Listener.StagesOverlapped(saved);
   }
+  // Both leave much memory free between what they keep; what follows needs other sizes.
+  malloc_trim(0);
 }
 
 void SceneRunner::Run(const std::string& stage, vtkAlgorithm* filter)

@@ -5,6 +5,7 @@
 #include "base/NumberText.h"
 #include "cameras/CameraGrid.h"
 #include "core/ToInt.h"
+#include "dataset/PhotographSize.h"
 #include "dataset/ViewSpec.h"
 #include "geometry/CameraPath.h"
 #include "options/NearestWord.h"

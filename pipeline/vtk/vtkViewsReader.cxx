@@ -3,6 +3,7 @@
 
 #include "FilterSupport.h"
 #include "dataset/Dataset.h"
+#include "dataset/PhotographSize.h"
 #include "dataset/ViewSpec.h"
 
 #include <vtkMultiBlockDataSet.h>
@@ -12,7 +13,8 @@ vtkStandardNewMacro(vtkViewsReader);
 
 namespace
 {
-novelview::DatasetIndex IndexOf(const char* folder, const char* calibration, const char* format)
+novelview::DatasetIndex IndexOf(const char* folder, const char* calibration, const char* format,
+  const std::vector<std::string>& excludes, int maxSize)
 {
   if (!folder || !*folder)
   {
@@ -21,7 +23,10 @@ novelview::DatasetIndex IndexOf(const char* folder, const char* calibration, con
   novelview::DatasetSource source;
   source.Calibration = calibration ? calibration : "";
   source.Format = format ? format : "auto";
-  return novelview::ReadDatasetIndex(folder, source);
+  novelview::DatasetIndex index = novelview::ReadDatasetIndex(folder, source);
+  novelview::LimitSize(
+    index, excludes, maxSize < 0 ? std::optional<double>() : std::optional<double>(maxSize));
+  return index;
 }
 }
 
@@ -80,7 +85,8 @@ bool vtkViewsReader::ReadCamera(const char* view, vtkPinholeCamera* camera)
     {
       throw novelview::Error("novel view", "no text or no camera given");
     }
-    const novelview::DatasetIndex index = IndexOf(this->Folder, this->Calibration, this->Format);
+    const novelview::DatasetIndex index =
+      IndexOf(this->Folder, this->Calibration, this->Format, this->Excludes, this->MaxSize);
     const novelview::Camera read =
       novelview::ResolveViewSpec(novelview::ParseViewSpec(view), index).Cam;
     novelview::ValidateCamera(read, view);
@@ -104,8 +110,9 @@ int vtkViewsReader::RequestData(
       novelview::DatasetOptions options;
       options.Exclude = this->Excludes;
       options.ForceSilhouettes = this->ForceSilhouettes;
-      const novelview::Dataset dataset =
-        novelview::ReadDataset(IndexOf(this->Folder, this->Calibration, this->Format), options);
+      const novelview::Dataset dataset = novelview::ReadDataset(
+        IndexOf(this->Folder, this->Calibration, this->Format, this->Excludes, this->MaxSize),
+        options);
       for (const std::string& warning : dataset.Warnings)
       {
         vtkWarningMacro(<< warning);
@@ -126,4 +133,5 @@ void vtkViewsReader::PrintSelf(ostream& os, vtkIndent indent)
     os << " " << name;
   }
   os << "\n" << indent << "ForceSilhouettes: " << this->ForceSilhouettes << "\n";
+  os << indent << "MaxSize: " << this->MaxSize << "\n";
 }

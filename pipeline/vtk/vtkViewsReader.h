@@ -67,6 +67,15 @@ public:
   vtkBooleanMacro(ForceSilhouettes, bool);
   ///@}
 
+  ///@{
+  /**
+   * Longer side in pixels to which photographs are reduced; 0 = never, negative = so that 4 GiB of
+   * memory suffice for the synthesis. Default: negative.
+   */
+  vtkSetMacro(MaxSize, int);
+  vtkGetMacro(MaxSize, int);
+  ///@}
+
   /**
    * Sets `camera` to the one that a text describes, as after the program's `--view`:
    * `between:A,B[,F]`, `like:IMAGE` or `file:PAR.txt#NAME`. Photographs are not read, and none is
@@ -85,6 +94,7 @@ protected:
   char* Format = nullptr;
   std::vector<std::string> Excludes;
   bool ForceSilhouettes = false;
+  int MaxSize = -1;
 
 private:
   vtkViewsReader(const vtkViewsReader&) = delete;

@@ -122,6 +122,12 @@ class Cameras(unittest.TestCase):
         with self.assertRaisesRegex(novelview.Error, "beside:1,2"):
             novelview.read_camera(DATA, "beside:1,2")
 
+    def test_max_size_reduces_photographs_and_novel_camera(self):
+        camera = novelview.read_camera(DATA, "like:0", max_size=50)
+        self.assertEqual(max(camera.GetImageSize()), 50)
+        views = novelview.read(DATA, max_size=50)
+        self.assertEqual(max(views.GetBlock(0).GetDimensions()), 50)
+
     def test_look_at_sees_its_target_in_the_principal_point_and_up_upwards(self):
         K = numpy.array([[500.0, 0, 20], [0, 500, 10], [0, 0, 1]])
         camera = novelview.look_at(K, (40, 30), (3, 4, 5), (1, 1, 1), (0, 1, 0))

@@ -15,22 +15,25 @@ from .vtkNovelViewSynthesis import vtkNovelViewSynthesiser, vtkViewsReader
 _STAGES = ("hull", "outline", "full")
 
 
-def _reader(folder, calibration):
+def _reader(folder, calibration, max_size):
     reader = vtkViewsReader()
     reader.SetFolder(os.fspath(folder))
+    if max_size is not None:
+        reader.SetMaxSize(max_size)
     if calibration is not None:
         reader.SetCalibration(os.fspath(calibration))
     return reader
 
 
-def read(folder, calibration=None, exclude=(), force_silhouettes=False):
+def read(folder, calibration=None, exclude=(), force_silhouettes=False, max_size=None):
     """The photographs of a data set: a vtkMultiBlockDataSet as views() makes it.
 
     Reads what the program `novelview` reads. `calibration` chooses among several calibration files;
     photographs named in `exclude` are left out; with `force_silhouettes` masks are not read but taken
-    from the photographs.
+    from the photographs. Photographs whose longer side is above `max_size` pixels are reduced (0 =
+    none is; None = so far that 4 GiB of memory suffice).
     """
-    reader = _reader(folder, calibration)
+    reader = _reader(folder, calibration, max_size)
     for name in exclude:
         reader.AddExclude(name)
     reader.SetForceSilhouettes(force_silhouettes)
@@ -39,11 +42,12 @@ def read(folder, calibration=None, exclude=(), force_silhouettes=False):
     return reader.GetOutput()
 
 
-def read_camera(folder, view, calibration=None):
+def read_camera(folder, view, calibration=None, max_size=None):
     """The camera that a text describes, as after `novelview run --view`: "between:A,B[,F]", "like:IMAGE"
-    or "file:PAR.txt#NAME". The photograph of "like:" is not left out: name it in read(exclude=..)."""
+    or "file:PAR.txt#NAME". The photograph of "like:" is not left out: name it in read(exclude=..).
+    `max_size` as in read()."""
     result = vtkPinholeCamera()
-    reader = _reader(folder, calibration)
+    reader = _reader(folder, calibration, max_size)
     with reporting(reader):
         reader.ReadCamera(view, result)
     return result

@@ -337,6 +337,29 @@ TEST_F(DatasetCheck, AnObjectThatLeavesTheFrameIsNamedWithItsSides)
   EXPECT_THAT(report.Findings[0].Text, HasSubstr("leaves the frame (left)"));
 }
 
+TEST_F(DatasetCheck, APhotographResizedAfterItsCalibrationIsAnError)
+{
+  WriteDataset(this->Folder.Path, CleanPhotos());
+  const Photo& photo = CleanPhotos()[3];
+  WriteImageFile(this->Folder / photo.Name, ReducedImage(photo.Color.Ref(), 80, 60).Ref());
+  WriteImageFile(this->Folder / "mask" / photo.Name, ReducedImage(photo.Mask.Ref(), 80, 60).Ref());
+  const CheckReport report = this->CheckWith();
+  ASSERT_FALSE(report.Findings.empty());
+  EXPECT_EQ(report.Findings[0].Kind, "size");
+  EXPECT_THAT(report.Findings[0].Text, HasSubstr("another size than p0.png, whose K is the same"));
+}
+
+TEST_F(DatasetCheck, PhotographsThatRunWillReduceAreANote)
+{
+  WriteDataset(this->Folder.Path, CleanPhotos());
+  DatasetInput input;
+  input.Dataset = this->Folder.Path;
+  input.MaxSize = 100;
+  const CheckReport report = CheckDataset(input);
+  EXPECT_THAT(Kinds(report), ElementsAre("size"));
+  EXPECT_FALSE(report.HasProblems());
+}
+
 TEST_F(DatasetCheck, MissingMasksAreNamed)
 {
   std::vector<Photo> photos = CleanPhotos();

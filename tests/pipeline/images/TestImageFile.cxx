@@ -49,6 +49,27 @@ TEST(ImageFile, LosslessFormatsReadBackTheSamePixels)
   EXPECT_EQ(ReadGreyFile(folder / "grey.png").Values, grey.Values);
 }
 
+TEST(ImageFile, SizeOfAJpegComesFromItsHeaderAlone)
+{
+  const TemporaryFolder folder;
+  const std::vector<std::uint8_t> jpeg = EncodeJpeg(Gradient(170, 90, 3).Ref(), 90, "test");
+  std::string bytes(reinterpret_cast<const char*>(jpeg.data()), jpeg.size());
+  // A segment of 1,000 bytes before the frame's, as of EXIF data; the picture itself is cut off.
+  bytes.insert(2, std::string("\xff\xe1\x03\xea", 4) + std::string(1000, '\xff'));
+  WriteText(folder / "cut.jpg", bytes.substr(0, bytes.size() / 2));
+  const PictureSize size = ReadPictureSize(folder / "cut.jpg");
+  EXPECT_EQ(size.Width, 170);
+  EXPECT_EQ(size.Height, 90);
+}
+
+TEST(ImageFile, ReducedPixelsAreMeansOfTheirAreas)
+{
+  Image<std::uint8_t> image(4, 2);
+  image.Values = { 10, 20, 200, 200, 30, 40, 100, 104 };
+  EXPECT_EQ(ReducedImage(image.Ref(), 2, 1).Values, (std::vector<std::uint8_t>{ 25, 151 }));
+  EXPECT_TRUE(ReducedImage({}, 2, 1).Values.empty());
+}
+
 TEST(ImageFile, ChannelsAreRedGreenBlue)
 {
   const TemporaryFolder folder;

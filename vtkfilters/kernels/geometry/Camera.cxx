@@ -195,6 +195,20 @@ Camera LookAt(const Eigen::Vector3d& centre, const Eigen::Vector3d& target,
   return camera;
 }
 
+Camera Resized(const Camera& camera, int width, int height)
+{
+  const double x = static_cast<double>(width) / camera.Width;
+  const double y = static_cast<double>(height) / camera.Height;
+  Camera result = camera;
+  // Pixel centres are integers: x + 0.5 is what scales.
+  result.K.topRows<2>() = Eigen::Vector2d(x, y).asDiagonal() * camera.K.topRows<2>();
+  result.K(0, 2) += (x - 1) / 2;
+  result.K(1, 2) += (y - 1) / 2;
+  result.Width = width;
+  result.Height = height;
+  return result;
+}
+
 double RotationError(const Eigen::Matrix3d& R)
 {
   return (R * R.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();

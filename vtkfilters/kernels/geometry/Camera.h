@@ -85,6 +85,9 @@ Camera InterpolateOnOrbit(const Camera& from, const Camera& to, double fraction)
 Camera LookAt(const Eigen::Vector3d& centre, const Eigen::Vector3d& target,
   const Eigen::Vector3d& up, const Eigen::Matrix3d& K, int width, int height);
 
+/** The same camera with its pixels joined or divided: K for a picture of another size. */
+Camera Resized(const Camera& camera, int width, int height);
+
 /** The largest element of |R R^T - I|: 0 of a rotation or reflection. */
 double RotationError(const Eigen::Matrix3d& R);
 
