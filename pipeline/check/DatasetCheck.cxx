@@ -10,6 +10,7 @@
 #include "check/MaskCheck.h"
 #include "check/OrientationCheck.h"
 #include "check/PixelCentreCheck.h"
+#include "check/PoseCheck.h"
 #include "core/Error.h"
 #include "dataset/PhotographSize.h"
 
@@ -91,6 +92,7 @@ CheckReport CheckDataset(const DatasetInput& input, const Execution& execution)
   CheckAgreement(context);
   execution.Report(0.9);
   CheckPixelCentre(context);
+  CheckPoses(context);
   std::stable_sort(context.Report.Findings.begin(), context.Report.Findings.end(),
     [](const CheckFinding& a, const CheckFinding& b) { return a.Severity > b.Severity; });
   execution.Report(1);

@@ -6,8 +6,8 @@
 #include "base/NumberText.h"
 #include "base/Parallel.h"
 #include "base/UsageError.h"
-#include "cameras/CameraGrid.h"
 #include "commands/CommandSupport.h"
+#include "commands/ConvertCameras.h"
 #include "dataset/Dataset.h"
 #include "dataset/PhotographSize.h"
 #include "formats/DatasetFormats.h"
@@ -201,32 +201,6 @@ void Transfer(Conversion& each, const DatasetFormat& format, const fs::path& out
   }
 }
 
-/**
- * Replaces rotations to a few digits by the nearest exact ones: formats with quaternions or projection
- * matrices would turn the rest into other errors.
- */
-void MendRotations(
-  const DatasetIndex& index, std::vector<Photograph>& photographs, Console& console)
-{
-  constexpr double exact = 1e-10;
-  const CameraGrid grid(index.Cameras);
-  double worst = 0;
-  for (Photograph& photograph : photographs)
-  {
-    const double off = RotationError(photograph.Cam.R);
-    worst = std::max(worst, off);
-    if (off > exact)
-    {
-      photograph.Cam = grid.WithRotation(photograph.Cam);
-    }
-  }
-  if (worst > exact)
-  {
-    console.Info("rotations to few digits (orthonormal to " + NumberText(worst) +
-      "): the nearest exact ones are written");
-  }
-}
-
 void Report(const std::vector<Conversion>& plan, const fs::path& calibration, Console& console)
 {
   const auto undistorted =
@@ -247,6 +221,10 @@ void ConvertDataset(const ConvertOptions& options, Console& console)
   WarnOf(index, console);
   std::vector<Photograph> photographs = WithoutExcluded(index, options.Exclude);
   MendRotations(index, photographs, console);
+  if (options.RefineCameras)
+  {
+    RefinePoses(index, options.Exclude, photographs, console);
+  }
   const bool held = std::all_of(photographs.begin(), photographs.end(), format.HoldsLens);
   std::vector<Conversion> plan = Plan(photographs, options.Undistort || !held);
   const std::string folderName =

@@ -17,6 +17,8 @@ OptionTable OptionsOf(ConvertOptions& options)
     { "format", "format to write", "", convert, &options.Format, -Unlimited, Unlimited,
       WritableFormatNames() },
     { "exclude", "photographs to leave out", "", convert, &options.Exclude },
+    { "refineCameras", "write the poses that preset best refines, where photographs agree better",
+      "", convert, &options.RefineCameras },
     { "undistort", "undistort photographs also where the format can represent the distortion", "",
       convert, &options.Undistort },
   };

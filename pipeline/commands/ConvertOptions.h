@@ -20,6 +20,7 @@ struct ConvertOptions
   std::filesystem::path Out;        ///< another folder
   std::string Format;               ///< a name of DatasetFormats.h
   std::vector<std::string> Exclude; ///< photographs to leave out
+  bool RefineCameras = false;       ///< write poses with which the photographs agree better
   bool Undistort = false;           ///< also where the format can represent the distortion
   int Threads = ProgramParameters::Threads.Default;
 };

@@ -39,6 +39,13 @@ void SceneRunner::MakeAll()
   this->WarnOfGains();
 }
 
+void SceneRunner::RefineCameras()
+{
+  this->RunHull();
+  this->Run("depth maps", this->Filters.DepthEstimator);
+  this->Run("cameras", this->Filters.CameraRefiner);
+}
+
 void SceneRunner::Warn(const std::string& text)
 {
   this->Warnings.push_back(text);

@@ -28,6 +28,8 @@ public:
   void MakeHull();
   void MakeHullAndCrust();
   void MakeAll();
+  /** The CameraRefiner and the stages that it needs, with the given cameras. */
+  void RefineCameras();
 
   void Warn(const std::string& text);
   /** All warnings so far. */

@@ -2,6 +2,8 @@
 // `novelview convert`, by the built program: the stages see the same in every format.
 #include "support/ProgramRun.h"
 
+#include "dataset/Dataset.h"
+#include "formats/DatasetFormats.h"
 #include "images/ImageFile.h"
 
 #include <cmath>
@@ -104,4 +106,30 @@ TEST_F(ConvertProgram, BadUseIsOneLineWithAnExitCode)
   expect(
     { Data(), out, "--format", "nerf", "--poses", "camera" }, 2, "--poses: is not a valid choice");
   EXPECT_FALSE(fs::exists(out));
+}
+
+TEST_F(ConvertProgram, ACameraThatIsOffByTwoPixelsIsNamedAndItsPoseWrittenRefined)
+{
+  const GeneratedData bunny({ "--size", "480x360" });
+  DatasetIndex index = ReadDatasetIndex(bunny.Data());
+  const Camera truth = index.Cameras[5].Cam;
+  Camera& turned = index.Cameras[5].Cam;
+  turned.R = Eigen::AngleAxisd(2 / truth.FocalLength(), Eigen::Vector3d(0.6, 0.8, 0)) * truth.R;
+  turned.T = -turned.R * truth.Centre();
+  for (const FileContent& file : FormatOf("middlebury").Compose("bunny", index.Cameras))
+  {
+    WriteText(bunny.Data() / file.Path, file.Bytes);
+  }
+  const ProcessEnd off = RunProgram({ "check", bunny.Data().string() });
+  EXPECT_EQ(off.Code, 3);
+  EXPECT_THAT(off.Out, HasSubstr("bunny0005.png: the camera is about"));
+  const fs::path refined = bunny.Folder / "refined";
+  const ProcessEnd convert = RunProgram({ "convert", bunny.Data().string(), refined.string(),
+    "--format", "middlebury", "--refine-cameras" });
+  EXPECT_EQ(convert.Code, 0) << convert.Err;
+  EXPECT_THAT(convert.Out + convert.Err, HasSubstr("cameras refined: photographs disagreed by"));
+  const Camera written = ReadDatasetIndex(refined).Cameras[5].Cam;
+  const Eigen::Vector3d target = Eigen::Vector3d::Zero();
+  EXPECT_LT((written.Project(target) - truth.Project(target)).norm(), 0.5);
+  EXPECT_THAT(RunProgram({ "check", refined.string() }).Out, Not(HasSubstr("the camera is about")));
 }
