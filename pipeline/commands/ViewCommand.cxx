@@ -5,13 +5,16 @@
 #include "ViewAccess.h"
 #include "cameras/CameraGrid.h"
 #include "cameras/CameraUp.h"
+#include "commands/BrowserStart.h"
 #include "commands/CommandSupport.h"
-#include "core/Error.h"
-#include "images/ImageFile.h"
+#include "commands/LiveFrame.h"
 #include "live/LiveServer.h"
 #include "synthesis/SceneGeometry.h"
 
 #include <nlohmann/json.hpp>
+
+#include <atomic>
+#include <optional>
 
 namespace novelview
 {
@@ -44,36 +47,9 @@ std::string StateOf(vtkMultiBlockDataSet* views)
   return state.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-Stage StageOf(const std::string& name)
-{
-  return name == "hull" ? Stage::Hull : name == "outline" ? Stage::Outline : Stage::Full;
-}
-
-/** One picture; what is wrong with it is the page's, not the program's, end. */
-FrameAnswer MakeFrame(Synthesis& synthesis, const CameraGrid& grid, const FrameRequest& request)
-{
-  FrameAnswer answer;
-  try
-  {
-    const NovelView view = synthesis.Render(grid.Rounded(request.Cam), StageOf(request.UpTo));
-    answer.Png = EncodePng(
-      TopDownArray<const std::uint8_t>(view.Image, arrays::Color, 3, "frame", true), "frame");
-    answer.What = FrameAnswer::Kind::Made;
-  }
-  catch (const Interrupted&)
-  {
-    throw;
-  }
-  catch (const std::exception& error)
-  {
-    answer.What = FrameAnswer::Kind::Failed;
-    answer.Text = ErrorText(error);
-  }
-  return answer;
-}
-
 /** Reports to the console, and until there is a state with cameras to the page. */
-SynthesisListener ListenerFor(Console& console, LiveServer& server, const bool& prepared)
+SynthesisListener ListenerFor(
+  Console& console, LiveServer& server, const std::atomic<bool>& prepared)
 {
   SynthesisListener listener = ListenerFor(console);
   listener.Progress = [&](const std::string& stage, double fraction)
@@ -106,12 +82,22 @@ void ServeView(const ViewOptions& options, Console& console)
     console.Warn("--listen " + options.Listen + ": other computers can reach the page");
   }
   console.Info("page: " + server.Address());
+  std::optional<BrowserStart> browser;
+  if (options.Open && BrowserStart::HasDisplay())
+  {
+    browser.emplace(server.Address());
+    if (!browser->Started())
+    {
+      console.Info("no browser could be started (xdg-open); open the page yourself");
+    }
+  }
   server.SetState(R"({"stage":"photographs"})");
   const Dataset dataset = ReadInput(options.Input, index, {}, console);
-  bool prepared = false;
+  std::atomic<bool> prepared = false;
   Synthesis synthesis(dataset.Views, options.Synthesis, ListenerFor(console, server, prepared));
   synthesis.Prepared();
   prepared = true;
+  server.SetThumbnails(ThumbnailsOf(synthesis.Photographs()));
   server.SetState(StateOf(synthesis.Photographs()));
   console.Info("ready; Ctrl-C ends");
   const CameraGrid grid(index.Cameras); // as `render` has them
@@ -119,7 +105,7 @@ void ServeView(const ViewOptions& options, Console& console)
   {
     if (const auto ticket = server.Frames().Take(std::chrono::milliseconds(100)))
     {
-      server.Frames().Give(ticket, MakeFrame(synthesis, grid, ticket->Request));
+      server.Frames().Give(ticket, MakeLiveFrame(synthesis, grid, ticket->Request));
     }
   }
 }

@@ -12,6 +12,7 @@ OptionTable OptionsOf(ViewOptions& options)
     { "port", "port of the page; 0 = any that is free", "", view, &options.Port, 0, 65535 },
     { "listen", "address of the page; other than the default, other computers can reach it", "",
       view, &options.Listen },
+    { "open", "open the page in the browser, where there is a display", "", view, &options.Open },
   };
   return WithMethod(std::move(table), options);
 }

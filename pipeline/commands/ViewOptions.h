@@ -13,6 +13,7 @@ struct ViewOptions : MethodOptions
 {
   int Port = 0;                     ///< 0 = any that is free
   std::string Listen = "127.0.0.1"; ///< address of this computer
+  bool Open = true;                 ///< open the page in the user's browser
 };
 
 /** The table: what the options are called, their help, units and ranges. */

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,7 @@ struct FrameAnswer
   Kind What = Kind::Waiting;
   std::vector<std::uint8_t> Png;
   std::string Text;
+  std::optional<Eigen::Vector3d> Point; ///< of the surface at the pixel to pick
 };
 
 /**

@@ -45,6 +45,36 @@ int SideOf(const nlohmann::json& json, const char* key)
   }
   return value->get<int>();
 }
+
+FrameRequest::Picture ShowOf(const nlohmann::json& json)
+{
+  const auto show = json.find("show");
+  if (show == json.end() || *show == "colour")
+  {
+    return FrameRequest::Picture::Colour;
+  }
+  if (*show != "depth" && *show != "mesh")
+  {
+    throw Error(Where, "show is unknown", "", "colour, depth or mesh");
+  }
+  return *show == "depth" ? FrameRequest::Picture::Depth : FrameRequest::Picture::Mesh;
+}
+
+std::optional<Eigen::Vector2i> PickOf(const nlohmann::json& json, const Camera& camera)
+{
+  const auto pick = json.find("pick");
+  if (pick == json.end())
+  {
+    return {};
+  }
+  if (!pick->is_array() || pick->size() != 2 || !(*pick)[0].is_number_integer() ||
+    !(*pick)[1].is_number_integer() || (*pick)[0] < 0 || (*pick)[0] >= camera.Width ||
+    (*pick)[1] < 0 || (*pick)[1] >= camera.Height)
+  {
+    throw Error(Where, "pick is no pixel of the picture", "", "two whole numbers");
+  }
+  return Eigen::Vector2i((*pick)[0].get<int>(), (*pick)[1].get<int>());
+}
 }
 
 FrameRequest ParseFrameRequest(const std::string& text)
@@ -62,11 +92,16 @@ FrameRequest ParseFrameRequest(const std::string& text)
   request.Cam.Height = SideOf(json, "height");
   ValidateCamera(request.Cam, Where);
   const auto stage = json.find("stage");
-  if (stage == json.end() || (*stage != "hull" && *stage != "outline" && *stage != "full"))
+  const std::optional<Stage> upTo = stage != json.end() && stage->is_string()
+    ? StageOfName(stage->get<std::string>())
+    : std::nullopt;
+  if (!upTo)
   {
     throw Error(Where, "stage is unknown", "", "hull, outline or full");
   }
-  request.UpTo = stage->get<std::string>();
+  request.UpTo = *upTo;
+  request.Show = ShowOf(json);
+  request.Pick = PickOf(json, request.Cam);
   return request;
 }
 }

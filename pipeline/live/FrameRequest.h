@@ -3,7 +3,9 @@
 #define novelview_FrameRequest_h
 
 #include "geometry/Camera.h"
+#include "synthesis/SynthesisOptions.h"
 
+#include <optional>
 #include <string>
 
 namespace novelview
@@ -13,15 +15,25 @@ struct FrameRequest
 {
   static constexpr int LargestSidePx = 4096;
 
+  enum class Picture
+  {
+    Colour,
+    Depth,
+    Mesh
+  };
+
   Camera Cam;
-  std::string UpTo = "full"; ///< hull, outline or full
+  Stage UpTo = Stage::Full;
+  Picture Show = Picture::Colour;
+  std::optional<Eigen::Vector2i> Pick; ///< a pixel whose surface point is wanted, too
 };
 
 /**
- * From {"K": 9 numbers, "R": 9, "T": 3, "width": px, "height": px, "stage": word}, matrices row by
- * row. Throws Error when anything is missing, of another type, or no valid camera.
+ * From {"K": 9 numbers, "R": 9, "T": 3, "width": px, "height": px, "stage": word,
+ * "show": "colour", "depth" or "mesh", "pick": [x, y]}, matrices row by row; the last two may be
+ * missing. Throws Error when anything is missing, of another type, or no valid camera.
  */
-FrameRequest ParseFrameRequest(const std::string& json);
+FrameRequest ParseFrameRequest(const std::string& text);
 }
 
 #endif

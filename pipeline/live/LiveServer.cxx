@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "live/LiveServer.h"
 
+#include "base/NumberText.h"
 #include "core/Error.h"
 #include "live/LivePage.h"
 
@@ -8,6 +9,7 @@
 
 #include <mutex>
 #include <random>
+#include <semaphore>
 #include <thread>
 #include <utility>
 
@@ -15,7 +17,8 @@ namespace novelview
 {
 namespace
 {
-constexpr int HandlerThreads = 8;
+constexpr int HandlerThreads = 32; // they wait for clients and for the worker, most of the time
+constexpr int AcceptedConnections = 64;
 constexpr int WaitingConnections = 128;
 constexpr int SecondsForOneRequest = 2;
 
@@ -62,6 +65,28 @@ void SetText(httplib::Response& response, int status, const std::string& text)
 }
 }
 
+/** The library's threads. Of more connections than AcceptedConnections none is accepted. */
+class BoundedThreadPool : public httplib::TaskQueue
+{
+public:
+  void enqueue(std::function<void()> work) override
+  {
+    // Called by the thread that accepts connections; those that wait are the system's to bound.
+    this->Places.acquire();
+    this->Threads.enqueue(
+      [this, work = std::move(work)]
+      {
+        work();
+        this->Places.release();
+      });
+  }
+  void shutdown() override { this->Threads.shutdown(); }
+
+private:
+  httplib::ThreadPool Threads{ HandlerThreads };
+  std::counting_semaphore<AcceptedConnections> Places{ AcceptedConnections };
+};
+
 class LiveServer::Internals
 {
 public:
@@ -95,6 +120,12 @@ public:
     }
     const FrameAnswer answer = this->Frames.Ask(wanted);
     SetText(response, StatusOf(answer.What), answer.Text);
+    if (answer.Point)
+    {
+      response.set_header("X-Point",
+        NumberText(answer.Point->x()) + " " + NumberText(answer.Point->y()) + " " +
+          NumberText(answer.Point->z()));
+    }
     if (answer.What == FrameAnswer::Kind::Made)
     {
       response.set_content(
@@ -102,9 +133,23 @@ public:
     }
   }
 
+  void AnswerPhotograph(const httplib::Request& request, httplib::Response& response)
+  {
+    std::size_t number = 0;
+    const std::lock_guard lock(this->StateMutex);
+    if (!ParseNumber(request.get_param_value("number"), number) ||
+      number >= this->Thumbnails.size())
+    {
+      SetText(response, 404, "no photograph of this number\n");
+      return;
+    }
+    const std::vector<std::uint8_t>& jpeg = this->Thumbnails[number];
+    response.set_content(reinterpret_cast<const char*>(jpeg.data()), jpeg.size(), "image/jpeg");
+  }
+
   void Configure()
   {
-    this->Server.new_task_queue = [] { return new httplib::ThreadPool(HandlerThreads); };
+    this->Server.new_task_queue = [] { return new BoundedThreadPool(); };
     // Without SO_REUSEPORT, by which two programs would share a port.
     this->Server.set_socket_options(
       [this](socket_t socket)
@@ -143,6 +188,9 @@ public:
         const std::lock_guard lock(this->StateMutex);
         response.set_content(this->State, "application/json");
       });
+    this->Server.Get("/photograph",
+      [this](const httplib::Request& request, httplib::Response& response)
+      { this->AnswerPhotograph(request, response); });
     this->Server.Post("/frame",
       [this](const httplib::Request& request, httplib::Response& response)
       { this->AnswerFrame(request, response); });
@@ -155,6 +203,7 @@ public:
   FrameQueue Frames;
   std::mutex StateMutex;
   std::string State = "{}";
+  std::vector<std::vector<std::uint8_t>> Thumbnails;
   httplib::Server Server;
   std::thread Listener;
 };
@@ -208,6 +257,12 @@ void LiveServer::SetState(std::string json)
 {
   const std::lock_guard lock(this->Impl->StateMutex);
   this->Impl->State = std::move(json);
+}
+
+void LiveServer::SetThumbnails(std::vector<std::vector<std::uint8_t>> jpegs)
+{
+  const std::lock_guard lock(this->Impl->StateMutex);
+  this->Impl->Thumbnails = std::move(jpegs);
 }
 
 FrameQueue& LiveServer::Frames()

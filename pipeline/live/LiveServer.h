@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace novelview
 {
@@ -15,7 +16,9 @@ namespace novelview
  *
  *   GET  /?token=T  the page
  *   GET  /state     JSON that SetState() gave
- *   POST /frame     a FrameRequest as JSON; 200 and a PNG, 409 when replaced, 422 with an error
+ *   GET  /photograph?number=N  a thumbnail that SetThumbnails() gave; 404 when there is none
+ *   POST /frame     a FrameRequest as JSON; 200 and a PNG, with the point to pick in the header
+ *                   X-Point; 409 when replaced, 422 with an error
  *
  * All but the page take the token from the header X-Token. Other answers: 400 (malformed), 403
  * (token, Host, Origin), 503 (the program ends).
@@ -37,6 +40,8 @@ public:
 
   /** What GET /state answers. */
   void SetState(std::string json);
+  /** What GET /photograph answers, JPEG files by the number of the photograph. */
+  void SetThumbnails(std::vector<std::vector<std::uint8_t>> jpegs);
   FrameQueue& Frames();
 
 private:

@@ -19,21 +19,30 @@ std::string StageName(Stage stage)
   return "full";
 }
 
+std::optional<Stage> StageOfName(const std::string& name)
+{
+  for (const Stage stage : { Stage::Hull, Stage::Outline, Stage::Full })
+  {
+    if (name == StageName(stage))
+    {
+      return stage;
+    }
+  }
+  return {};
+}
+
 Option StageOption(Stage& upTo)
 {
   WordTarget target{ "STAGE", "hull, outline, full", {}, {} };
   target.Set = [&upTo, range = target.Range](
                  const std::string& word, const std::string& where, const PathMap&)
   {
-    for (const Stage stage : { Stage::Hull, Stage::Outline, Stage::Full })
+    const std::optional<Stage> stage = StageOfName(word);
+    if (!stage)
     {
-      if (word == StageName(stage))
-      {
-        upTo = stage;
-        return;
-      }
+      throw UsageError(where, "is not a stage", "'" + word + "'", range);
     }
-    throw UsageError(where, "is not a stage", "'" + word + "'", range);
+    upTo = *stage;
   };
   target.Get = [&upTo](const PathMap&) { return StageName(upTo); };
   return { "stage", "how far the geometry is refined", "", "Method", target };

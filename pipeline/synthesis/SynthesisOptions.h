@@ -26,6 +26,8 @@ enum class Stage
 
 /** "hull", "outline" or "full". */
 std::string StageName(Stage stage);
+/** The stage of a name; nothing when it is none. */
+std::optional<Stage> StageOfName(const std::string& name);
 
 /**
  * Every option of the method. Lengths in pixels are pixels of the photographs or the novel view.

@@ -7,35 +7,11 @@ usage: report_page.py REPORT.html FOLDER_OF_THE_RUN; exit code 77 when there is 
 import csv
 import json
 import pathlib
-import shutil
 import sys
 
-try:
-    from selenium import webdriver
-    from selenium.webdriver.chrome.service import Service
-    from selenium.webdriver.common.by import By
-    from selenium.webdriver.common.keys import Keys
-except ImportError:
-    sys.exit(77)
-
-FAULTS = []
-
-
-def expect(fits, what):
-    if not fits:
-        FAULTS.append(what)
-
-
-def open_browser(script=True):
-    options = webdriver.ChromeOptions()
-    for word in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
-                 "--window-size=1280,1200"):
-        options.add_argument(word)
-    if not script:
-        options.add_experimental_option(
-            "prefs", {"profile.managed_default_content_settings.javascript": 2})
-    options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
-    return webdriver.Chrome(service=Service(shutil.which("chromedriver")), options=options)
+from browser import check_requests, expect, finish, open_browser
+from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
 
 
 def table_values(driver, name):
@@ -46,18 +22,6 @@ def table_values(driver, name):
         values = [cell.get_attribute("data-value") for cell in cells]
         rows.append([None if value is None else float(value) for value in values])
     return rows
-
-
-def check_requests(driver, page):
-    """Nothing but the file itself and what is inside it may be asked for."""
-    for entry in driver.get_log("performance"):
-        message = json.loads(entry["message"])["message"]
-        if message["method"] == "Network.requestWillBeSent":
-            address = message["params"]["request"]["url"]
-            own = address == page.as_uri() or address.startswith("data:")
-            expect(own, f"the page asks for {address[:120]}")
-    for entry in driver.get_log("browser"):
-        expect(False, f"console: {entry['message'][:200]}")
 
 
 def check_tables(driver, folder):
@@ -153,7 +117,8 @@ def check_paper(driver, folder):
 
 def check_without_script(page):
     """Everything can still be seen and read."""
-    driver = open_browser(script=False)
+    driver = open_browser(
+        "1280,1200", {"profile.managed_default_content_settings.javascript": 2})
     try:
         driver.get(page.as_uri())
         expect(not driver.find_elements(By.CSS_SELECTOR, "input[type=range]"), "script runs after all")
@@ -165,9 +130,7 @@ def check_without_script(page):
 
 
 def main(page, folder):
-    if not shutil.which("chromedriver") or not shutil.which("chromium"):
-        return 77
-    driver = open_browser()
+    driver = open_browser("1280,1200")
     try:
         driver.get(page.as_uri())
         check_tables(driver, folder)
@@ -176,14 +139,13 @@ def main(page, folder):
         check_paper(driver, folder)
         expect(driver.execute_script("return window.injected === undefined"),
                "a name in the page was run as script")
-        check_requests(driver, page)
+        check_requests(
+            driver, lambda address: address == page.as_uri() or address.startswith("data:"))
     finally:
         driver.quit()
     check_without_script(page)
-    for fault in FAULTS:
-        print(fault)
-    return 1 if FAULTS else 0
+    finish()
 
 
 if __name__ == "__main__":
-    sys.exit(main(pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()))
+    main(pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve())

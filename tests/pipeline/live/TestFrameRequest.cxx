@@ -34,7 +34,9 @@ TEST(FrameRequest, HoldsMatricesRowByRow)
   EXPECT_EQ(request.Cam.T.y(), -0.25);
   EXPECT_EQ(request.Cam.Width, 160);
   EXPECT_EQ(request.Cam.Height, 120);
-  EXPECT_EQ(request.UpTo, "outline");
+  EXPECT_EQ(request.UpTo, Stage::Outline);
+  EXPECT_EQ(request.Show, FrameRequest::Picture::Colour);
+  EXPECT_FALSE(request.Pick);
 }
 
 TEST(FrameRequest, WhatIsNoneIsAnErrorThatNamesTheField)
@@ -58,4 +60,22 @@ TEST(FrameRequest, WhatIsNoneIsAnErrorThatNamesTheField)
   request = Valid();
   request["R"][0] = 5;
   EXPECT_THAT(Message(request), HasSubstr("rotation"));
+}
+
+TEST(FrameRequest, MayWantDepthOrMeshAndAPoint)
+{
+  nlohmann::json request = Valid();
+  request["show"] = "depth";
+  request["pick"] = { 159, 0 };
+  const FrameRequest parsed = ParseFrameRequest(request.dump());
+  EXPECT_EQ(parsed.Show, FrameRequest::Picture::Depth);
+  EXPECT_EQ(parsed.Pick, Eigen::Vector2i(159, 0));
+  request["show"] = "wireframe";
+  EXPECT_THAT(Message(request), HasSubstr("show is unknown"));
+  request["show"] = "mesh";
+  for (const nlohmann::json& pick : nlohmann::json::parse(R"([[160,0],[-1,0],[1.5,0],[1],"x"])"))
+  {
+    request["pick"] = pick;
+    EXPECT_THAT(Message(request), HasSubstr("pick is no pixel")) << pick;
+  }
 }

@@ -7,7 +7,12 @@
 #include <httplib.h>
 
 #include <atomic>
+#include <memory>
 #include <thread>
+
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
 using namespace novelview;
 using namespace std::chrono_literals;
@@ -17,6 +22,27 @@ namespace
 {
 const char* const Request = R"({"K":[300,0,79.5,0,300,59.5,0,0,1],"R":[1,0,0,0,1,0,0,0,1],)"
                             R"("T":[0,0,3],"width":160,"height":120,"stage":"full"})";
+
+/** A client that connects and then says nothing. */
+class IdleConnection
+{
+public:
+  explicit IdleConnection(int port)
+    : Socket(::socket(AF_INET, SOCK_STREAM, 0))
+  {
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_port = htons(static_cast<std::uint16_t>(port));
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    ::connect(this->Socket, reinterpret_cast<const sockaddr*>(&address), sizeof(address));
+  }
+  ~IdleConnection() { ::close(this->Socket); }
+  IdleConnection(const IdleConnection&) = delete;
+  IdleConnection& operator=(const IdleConnection&) = delete;
+
+private:
+  int Socket;
+};
 
 /** A server, and a worker that answers every request with one byte. */
 class LiveServerTest : public testing::Test
@@ -30,7 +56,12 @@ protected:
           {
             if (const auto ticket = this->Server.Frames().Take(10ms))
             {
-              this->Server.Frames().Give(ticket, { FrameAnswer::Kind::Made, { 42 }, "" });
+              FrameAnswer answer{ FrameAnswer::Kind::Made, { 42 }, "", {} };
+              if (ticket->Request.Pick)
+              {
+                answer.Point = Eigen::Vector3d(0.5, -1, 2);
+              }
+              this->Server.Frames().Give(ticket, answer);
             }
           }
         })
@@ -134,6 +165,45 @@ TEST_F(LiveServerTest, ManyClientsAtOnceAreAllAnswered)
     client.join();
   }
   EXPECT_EQ(answered, 40);
+}
+
+TEST_F(LiveServerTest, TheSurfacePointOfAPickedPixelIsAHeader)
+{
+  std::string request = Request;
+  request.insert(1, R"("pick":[3,4],)");
+  const auto answer = this->Client().Post("/frame", this->WithToken(), request, "application/json");
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(answer->get_header_value("X-Point"), "0.5 -1 2");
+  EXPECT_FALSE(this->Client()
+                 .Post("/frame", this->WithToken(), Request, "application/json")
+                 ->has_header("X-Point"));
+}
+
+TEST_F(LiveServerTest, PhotographsAreThoseThatWereSet)
+{
+  this->Server.SetThumbnails({ { 1, 2 }, { 3 } });
+  EXPECT_EQ(this->Client().Get("/photograph?number=1", this->WithToken())->body, "\x03");
+  for (const char* number : { "2", "-1", "x", "" })
+  {
+    const auto answer =
+      this->Client().Get(std::string("/photograph?number=") + number, this->WithToken());
+    EXPECT_EQ(answer->status, 404) << number;
+  }
+  EXPECT_EQ(this->Client().Get("/photograph?number=1")->status, 403);
+}
+
+TEST_F(LiveServerTest, IdleConnectionsDoNotKeepOthersOut)
+{
+  std::vector<std::unique_ptr<IdleConnection>> idle;
+  for (int i = 0; i < 150; ++i) // more than are accepted at a time
+  {
+    idle.push_back(std::make_unique<IdleConnection>(this->Server.Port()));
+  }
+  httplib::Client client("127.0.0.1", this->Server.Port());
+  client.set_read_timeout(60);
+  const auto answer = client.Post("/frame", this->WithToken(), Request, "application/json");
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(answer->status, 200);
 }
 
 TEST_F(LiveServerTest, APortInUseIsAnError)
