@@ -5,7 +5,8 @@ The layers are vtkfilters/kernels, vtkfilters, pipeline and app; a layer may use
 pipeline/ and kernels/ are divided into rooms, which are folders. The README.md of a room has a line
 "May use: `a`, `b`." that names the other rooms of its layer. The test fails when a file lies outside
 a room, when a file includes what its room may not use, when the rooms use each other in a circle, when
-a room may use what it does not, or when an include does not name its room.
+a room may use what it does not, when an include does not name its room, or when the README of a room
+does not name one of its files.
 """
 
 import pathlib
@@ -57,11 +58,23 @@ def find(name):
     return None
 
 
+def check_readme(room, problems):
+    """A file is named with or without its extension; XOptions and XCommand go by the names of commands."""
+    readme = (room / "README.md").read_text(encoding="utf-8")
+    for stem in sorted({path.name.split(".")[0] for path in sources(room)}):
+        pattern = re.fullmatch(r"[A-Z][a-z]+(Options|Command)", stem) and room.name == "commands"
+        name = re.sub(r"^[A-Z][a-z]+", "X", stem) if pattern else stem
+        if not re.search(r"\b" + re.escape(name) + r"\b", readme):
+            problems.append(f"{room.relative_to(SOURCE)}/README.md: does not name {stem}")
+
+
 def check_rooms(layer, problems):
     root = SOURCE / layer
     rooms = {path.name for path in root.iterdir() if path.is_dir()} - NO_ROOMS
     may_use = {room: allowed(root / room / "README.md") for room in rooms}
     uses = {room: set() for room in rooms}
+    for room in sorted(rooms):
+        check_readme(root / room, problems)
     for path in sources(root):
         where = path.relative_to(SOURCE)
         room = path.relative_to(root).parts[0]

@@ -114,7 +114,7 @@ TEST(PhotoConsistency, ContrastDifferenceByHandOnARamp)
 {
   const Picture a([](int x, int) { return 10 * x; });
   const Picture brighter([](int x, int) { return 10 * x + 50; });
-  const Picture steeper([](int x, int) { return 20 * x - 80; });
+  const Picture steeper([](int x, int) { return std::max(20 * x - 80, 0); });
   const Picture flat([](int, int) { return 100; });
   const WindowMatcher matcher(a.AsView(), Middle, 1);
   EXPECT_NEAR(matcher.ContrastDifference(brighter.AsView(), Middle, 0), 0, 1e-12);
