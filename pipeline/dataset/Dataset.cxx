@@ -212,8 +212,8 @@ DatasetIndex ReadDatasetIndex(const fs::path& folder, const DatasetSource& sourc
   FindMasks(folder, calibration.Photographs, calibration.Notes);
   NotePhotographsWithoutCamera(folder, calibration.Photographs, calibration.Notes);
   ProtectInputs(found.File, calibration.Photographs);
-  DatasetIndex index{ folder, found.File, found.Format->Name, std::move(calibration.Photographs),
-    std::move(calibration.Notes) };
+  DatasetIndex index{ folder, found.File, found.Format->Name, source,
+    std::move(calibration.Photographs), std::move(calibration.Notes) };
   for (Photograph& photograph : index.Cameras)
   {
     photograph.Reading.WhiteLevel = source.WhiteLevel.value_or(0);

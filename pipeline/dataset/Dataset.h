@@ -42,6 +42,7 @@ struct DatasetIndex
   std::filesystem::path Folder;
   std::filesystem::path Calibration; ///< the file that was read
   std::string Format;                ///< its format
+  DatasetSource Source;              ///< how it was to be read
   std::vector<Photograph> Cameras;   ///< with distinct names
   std::vector<ReadingNote> Notes;    ///< what was ignored, guessed or changed
   int MaxSize = 0;                   ///< longer side to which photographs are reduced; 0 = none is

@@ -99,9 +99,10 @@ const Photograph& FindByNameOrNumber(const DatasetIndex& dataset, const std::str
   return named ? *named : Find(dataset.Cameras, text, dataset.Calibration.string());
 }
 
-ResolvedView ResolveFile(const ViewSpec& spec, const DatasetIndex& dataset)
+}
+
+ResolvedView ResolveCamera(Photograph found, const DatasetIndex& dataset)
 {
-  Photograph found = Find(ReadViewCameras(spec.ParFile), spec.Name, spec.ParFile.string());
   ResolvedView view;
   std::error_code failure;
   if (fs::exists(found.File, failure))
@@ -127,8 +128,8 @@ ResolvedView ResolveFile(const ViewSpec& spec, const DatasetIndex& dataset)
     view.Cam.Width = like.Width;
     view.Cam.Height = like.Height;
   }
+  view.Cam = CameraGrid(dataset.Cameras).Rounded(view.Cam);
   return view;
-}
 }
 
 ViewSpec ParseViewSpec(const std::string& text)
@@ -202,9 +203,8 @@ ResolvedView ResolveViewSpec(const ViewSpec& spec, const DatasetIndex& dataset)
   ResolvedView view;
   if (spec.What == ViewSpec::Kind::File)
   {
-    view = ResolveFile(spec, dataset);
-    view.Cam = grid.Rounded(view.Cam);
-    return view;
+    return ResolveCamera(
+      Find(ReadViewCameras(spec.ParFile), spec.Name, spec.ParFile.string()), dataset);
   }
   if (spec.What == ViewSpec::Kind::Like)
   {

@@ -55,6 +55,9 @@ struct ResolvedView
   Photograph Truth;    ///< image to compare with; File is empty when none is known
 };
 
+/** The view of a camera that may have a photograph, as of `file:`. */
+ResolvedView ResolveCamera(Photograph found, const DatasetIndex& dataset);
+
 /**
  * Looks the cameras of a view up. The image's size is that of the photograph A, of IMAGE, of the
  * image NAME or, where there is none, of the first photograph of the data set. Throws UsageError

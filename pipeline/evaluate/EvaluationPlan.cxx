@@ -60,16 +60,19 @@ PlannedSet TestViews(const DatasetIndex& dataset, std::vector<std::string>& warn
   {
     return set;
   }
-  const DatasetIndex tests = own ? ReadDatasetIndex(folder, { .Format = "middlebury" })
-                                 : ReadDatasetIndex(dataset.Folder, { split });
-  std::string missing;
-  for (const NamedCamera& camera : tests.Cameras)
+  // Of the same origin as the photographs, so with the same conventions where the format is the same.
+  DatasetSource source = dataset.Source;
+  source.Calibration = own ? fs::path() : split;
+  source.Format = own ? "middlebury" : "auto";
+  if (own && dataset.Format != "middlebury")
   {
-    ViewSpec spec;
-    spec.What = ViewSpec::Kind::File;
-    spec.ParFile = tests.Calibration;
-    spec.Name = camera.Name;
-    PlannedView view{ camera.Name, ResolveViewSpec(spec, dataset) };
+    source.Convention = {};
+  }
+  const DatasetIndex tests = ReadDatasetIndex(own ? folder : dataset.Folder, source);
+  std::string missing;
+  for (const Photograph& camera : tests.Cameras)
+  {
+    PlannedView view{ camera.Name, ResolveCamera(camera, dataset) };
     if (view.View.Truth.File.empty())
     {
       missing += (missing.empty() ? "" : ", ") + camera.Name;

@@ -157,15 +157,17 @@ void SceneRunner::UseRepairedSilhouettes()
 {
   vtkNew<vtkMultiBlockDataSet> views;
   views->ShallowCopy(this->Filters.Repairer->GetOutput());
+  std::vector<std::string> names;
   for (unsigned int viewId = 0; viewId < views->GetNumberOfBlocks(); ++viewId)
   {
     const double added = AttachedNumber(ViewImage(views, viewId), arrays::AddedPixels, 0);
     if (added > 0)
     {
-      this->Warn("silhouette of " + ViewName(views, viewId) + ": " + Formatted("%.0f", added) +
-        " px added that most other silhouettes show; --no-repair-silhouettes leaves them out");
+      names.push_back(ViewName(views, viewId) + Formatted(" %.0f px", added));
     }
   }
+  this->Warn("silhouettes: parts added that most others show: " + Joined(names) +
+    "; --no-repair-silhouettes leaves them out");
   this->Filters.Views->SetOutput(views);
 }
 

@@ -4,6 +4,7 @@
 #include "evaluate/EvaluationPictures.h"
 #include "evaluate/EvaluationPlan.h"
 #include "evaluate/EvaluationScores.h"
+#include "formats/DatasetFormats.h"
 #include "formats/Middlebury.h"
 #include "images/ImageFile.h"
 #include "support/TestSupport.h"
@@ -225,6 +226,38 @@ TEST(EvaluationPlan, TestSplitOfNerfIsPredictedAndHeldOut)
   EXPECT_THAT(views(), ElementsAre("c3.png", "c4.png"));
   EXPECT_THAT(
     MakeEvaluationPlan({}, ReadDatasetIndex(folder.Path)).Sets[0].HeldOut, ElementsAre("c3.png"));
+}
+
+TEST(EvaluationPlan, TestSplitIsReadWithTheConventionGivenForTheDataSet)
+{
+  const TemporaryFolder folder;
+  const DatasetIndex made = MakeDataset(folder, 1);
+  // World-to-camera matrices are in the file; a program that wrote the opposite says so.
+  const auto write = [&](const std::string& name, std::size_t from, std::size_t to)
+  {
+    std::vector<Photograph> photographs;
+    for (std::size_t i = from; i < to; ++i)
+    {
+      Photograph& turned = photographs.emplace_back(made.Cameras[i]);
+      turned.Cam.R = made.Cameras[i].Cam.R.transpose();
+      turned.Cam.T = made.Cameras[i].Cam.Centre();
+      WriteImageFile(
+        (folder / name).parent_path() / turned.Name, Image<std::uint8_t>(32, 24, 3).Ref());
+    }
+    for (const FileContent& file : FormatOf("middlebury").Compose("c", photographs))
+    {
+      WriteText(folder / name, file.Bytes);
+    }
+  };
+  write("c_par.txt", 0, 4);
+  write("test/t_par.txt", 4, 5); // in place of the one of MakeDataset()
+  DatasetSource source;
+  source.Convention.Poses = "camera-to-world";
+  const DatasetIndex index = ReadDatasetIndex(folder.Path, source);
+  const EvaluationPlan plan = MakeEvaluationPlan({}, index);
+  ASSERT_EQ(plan.Sets.at(0).Views.size(), 1u);
+  const Camera& camera = plan.Sets[0].Views[0].View.Cam;
+  EXPECT_LT((camera.Centre() - made.Cameras[4].Cam.Centre()).norm(), 1e-6);
 }
 
 TEST(EvaluationPlan, TestViewThatIsAReferenceIsHeldOut)
