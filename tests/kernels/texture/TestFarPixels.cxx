@@ -44,13 +44,43 @@ struct Halves
     }
   }
 
-  void Level()
+  FarPixelInput Input() const
   {
-    LevelFarPixels({ std::as_const(this->Far).Ref(), std::as_const(this->Depth).Ref(), 100,
-                     std::as_const(this->Seam).Ref(), std::as_const(this->SeamColor).Ref() },
-      this->Color);
+    return { this->Far.Ref(), this->Depth.Ref(), 100, this->Seam.Ref(), this->SeamColor.Ref() };
   }
+  void Level() { LevelFarPixels(this->Input(), this->Color); }
 };
+}
+
+TEST(FarIslands, AreFarPixelsWithoutSeamInALargerUnseenRegion)
+{
+  Halves halves;
+  Image<std::uint8_t> unseen(Width, Height);
+  for (int y = 2; y < 10; ++y)
+  {
+    for (int x = 2; x < 12; ++x)
+    {
+      const bool island = y == 5 && x >= 4 && x < 8;
+      unseen(x, y) = !island;
+      halves.Far(x, y) = island;
+    }
+  }
+  halves.Depth(7, 5) = 5; // another surface: an island of its own
+  std::vector<PixelList> islands = FindFarIslands(halves.Input(), std::as_const(unseen).Ref());
+  ASSERT_EQ(islands.size(), 2u);
+  EXPECT_EQ(islands[0], (PixelList{ { 4, 5 }, { 5, 5 }, { 6, 5 } }));
+  EXPECT_EQ(islands[1], (PixelList{ { 7, 5 } }));
+  // The right half has a seam. An unseen region beside it must not change that.
+  for (int y = 0; y < Height; ++y)
+  {
+    unseen(30, y) = 1;
+    halves.Far(30, y) = 0;
+  }
+  for (int x = 31; x < Width; ++x)
+  {
+    halves.Far(x, 0) = 0; // what lies beyond is larger than the unseen column
+  }
+  EXPECT_EQ(FindFarIslands(halves.Input(), std::as_const(unseen).Ref()).size(), 2u);
 }
 
 TEST(FarPixels, TakeTheLevelOfTheSeamAndKeepTheirPattern)

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "texture/FarPixels.h"
 
+#include "core/DisjointSets.h"
+
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -20,6 +24,13 @@ constexpr double MaxLogRatio = 1;   ///< of a correction
 constexpr double KeepWeight = 5e-5; ///< of d = 0: what a seam says fades over some 140 pixels
 constexpr double Tolerance = 1e-3;
 constexpr int MaxIterations = 500;
+
+/** Whether two pixels lie on the same surface. The same answer for q and p. */
+bool OnSameSurface(const FarPixelInput& input, int px, int py, int qx, int qy)
+{
+  const auto [near, far] = std::minmax(input.Depth(px, py), input.Depth(qx, qy));
+  return far - near < JumpPx * near / input.FocalLength;
+}
 
 /** The equations for the far pixels of a picture. */
 class FarPixelSystem
@@ -99,13 +110,9 @@ private:
   /** Whether q has an unknown and lies on the same surface as p. */
   bool IsNeighbour(int px, int py, int qx, int qy) const
   {
-    if (!this->Ids.Ref().Contains(qx, qy) || this->Ids(qx, qy) < 0)
-    {
-      return false;
-    }
     // The same answer for q and p: the matrix must be symmetric.
-    const auto [near, far] = std::minmax(this->Input.Depth(px, py), this->Input.Depth(qx, qy));
-    return far - near < JumpPx * near / this->Input.FocalLength;
+    return this->Ids.Ref().Contains(qx, qy) && this->Ids(qx, qy) >= 0 &&
+      OnSameSurface(this->Input, px, py, qx, qy);
   }
 
   const FarPixelInput& Input;
@@ -122,5 +129,75 @@ void LevelFarPixels(const FarPixelInput& input, Image<float>& color)
   {
     system.Level(color);
   }
+}
+
+std::vector<PixelList> FindFarIslands(
+  const FarPixelInput& input, const ImageRef<const std::uint8_t>& unseen)
+{
+  const int width = input.Far.Width;
+  // Regions of far and seam pixels, and regions of unseen ones.
+  const auto kindOf = [&](int x, int y)
+  { return unseen(x, y) ? 2 : (input.Far(x, y) || input.Seam(x, y) ? 1 : 0); };
+  DisjointSets regions(width * input.Far.Height);
+  std::vector<std::pair<int, int>> borders; // of a far and an unseen pixel
+  for (int y = 0; y < input.Far.Height; ++y)
+  {
+    for (int x = 0; x < width; ++x)
+    {
+      for (const auto& [qx, qy] : { std::pair(x + 1, y), { x, y + 1 } })
+      {
+        if (!input.Far.Contains(qx, qy))
+        {
+          continue;
+        }
+        const int kind = kindOf(x, y);
+        const int other = kindOf(qx, qy);
+        const int p = y * width + x;
+        const int q = qy * width + qx;
+        // Unseen pixels are filled from all around, whatever surface they lie on.
+        if (kind > 0 && kind == other && (kind == 2 || OnSameSurface(input, x, y, qx, qy)))
+        {
+          regions.Unite(p, q);
+        }
+        else if (kind + other == 3)
+        {
+          kind == 1 ? borders.emplace_back(p, q) : borders.emplace_back(q, p);
+        }
+      }
+    }
+  }
+  std::map<int, PixelList> members; // of each region, by its representative
+  std::set<int> levelled;
+  for (int y = 0; y < input.Far.Height; ++y)
+  {
+    for (int x = 0; x < width; ++x)
+    {
+      if (kindOf(x, y) > 0)
+      {
+        const int region = regions.Find(y * width + x);
+        members[region].emplace_back(x, y);
+        if (input.Seam(x, y))
+        {
+          levelled.insert(region);
+        }
+      }
+    }
+  }
+  std::set<int> islands;
+  for (const auto& [farPixel, unseenPixel] : borders)
+  {
+    const int region = regions.Find(farPixel);
+    if (!levelled.contains(region) &&
+      members[region].size() < members[regions.Find(unseenPixel)].size())
+    {
+      islands.insert(region);
+    }
+  }
+  std::vector<PixelList> result;
+  for (const int island : islands)
+  {
+    result.push_back(members[island]);
+  }
+  return result;
 }
 }

@@ -5,6 +5,8 @@
 #include "core/ImageRef.h"
 
 #include <cstdint>
+#include <utility>
+#include <vector>
 
 namespace novelview
 {
@@ -37,6 +39,17 @@ struct FarPixelInput
  * @param color of the picture, three channels, grey levels.
  */
 void LevelFarPixels(const FarPixelInput& input, Image<float>& color);
+
+using PixelList = std::vector<std::pair<int, int>>;
+
+/**
+ * The regions of far pixels without a seam that border on unseen pixels and are smaller than these:
+ * nothing tells their level, and the unseen pixels must not take it from them.
+ *
+ * @param unseen 1 = drawn, but no photograph sees it.
+ */
+std::vector<PixelList> FindFarIslands(
+  const FarPixelInput& input, const ImageRef<const std::uint8_t>& unseen);
 }
 
 #endif

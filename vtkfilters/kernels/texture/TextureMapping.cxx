@@ -46,8 +46,6 @@ std::vector<BlendReference> ReferencesFor(const TriangleMesh& mesh, const Triang
     views, &axis, options, execution);
 }
 
-using PixelList = std::vector<std::pair<int, int>>;
-
 /** A colour in whole steps; black shines through by what is not covered. */
 void StoreColor(const float color[3], float covered, std::uint8_t* rgb)
 {
@@ -200,9 +198,12 @@ bool IsNearFarPixel(const Image<std::uint8_t>& far, int x, int y)
   return false;
 }
 
-/** Brings the pixels that only references far aside see to the level of those around. */
-void LevelPixels(const CoveredBuffer& buffer, const BlendInput& input, double focalLength,
-  const Execution& execution, PictureInWork& picture)
+/**
+ * Brings the pixels that only references far aside see to the level of those around. Returns the
+ * islands among them, whose level is unknown.
+ */
+std::vector<PixelList> LevelPixels(const CoveredBuffer& buffer, const BlendInput& input,
+  double focalLength, const Execution& execution, PictureInWork& picture)
 {
   Image<std::uint8_t> seam(picture.Far.Width, picture.Far.Height);
   Image<float> seamColor(picture.Far.Width, picture.Far.Height, 3);
@@ -223,9 +224,9 @@ void LevelPixels(const CoveredBuffer& buffer, const BlendInput& input, double fo
         std::copy_n(rgb, 3, &seamColor(x, y));
       }
     });
-  LevelFarPixels({ std::as_const(picture.Far).Ref(), std::as_const(picture.Depth).Ref(),
-                   focalLength, std::as_const(seam).Ref(), std::as_const(seamColor).Ref() },
-    picture.Color);
+  const FarPixelInput far{ std::as_const(picture.Far).Ref(), std::as_const(picture.Depth).Ref(),
+    focalLength, std::as_const(seam).Ref(), std::as_const(seamColor).Ref() };
+  LevelFarPixels(far, picture.Color);
   for (int y = 0; y < picture.Far.Height; ++y)
   {
     for (int x = 0; x < picture.Far.Width; ++x)
@@ -236,6 +237,15 @@ void LevelPixels(const CoveredBuffer& buffer, const BlendInput& input, double fo
       }
     }
   }
+  Image<std::uint8_t> unseen(seam.Width, seam.Height);
+  for (const PixelList& row : picture.Open)
+  {
+    for (const auto& [x, y] : row)
+    {
+      unseen(x, y) = 1;
+    }
+  }
+  return FindFarIslands(far, std::as_const(unseen).Ref());
 }
 
 /** Gives a pixel the mean of its known neighbours; false when there are none. */
@@ -265,20 +275,54 @@ bool FillPixel(PictureInWork& picture, const std::pair<int, int>& pixel)
   return count > 0;
 }
 
+/** The sum of all channels of some pixels. */
+double SumOf(const Image<float>& color, const PixelList& pixels)
+{
+  double sum = 0;
+  for (const auto& [x, y] : pixels)
+  {
+    sum += color(x, y, 0) + color(x, y, 1) + color(x, y, 2);
+  }
+  return sum;
+}
+
 /**
  * Gives colours to the pixels that are drawn but that no reference sees, a layer at a time. Islands
- * of which no reference sees any pixel stay black, and flagged.
+ * of which no reference sees any pixel stay black, and flagged. Far islands are passed over, and then
+ * brought to the level of what is filled in their place.
  */
-void FillPixels(const CoveredBuffer& buffer, PictureInWork& picture)
+void FillPixels(
+  const CoveredBuffer& buffer, const std::vector<PixelList>& farIslands, PictureInWork& picture)
 {
   PixelList open;
   for (const PixelList& row : picture.Open)
   {
     open.insert(open.end(), row.begin(), row.end());
   }
+  const Image<float> own = farIslands.empty() ? Image<float>() : picture.Color;
+  for (const PixelList& island : farIslands)
+  {
+    for (const auto& [x, y] : island)
+    {
+      picture.Known(x, y) = 0;
+    }
+    open.insert(open.end(), island.begin(), island.end());
+  }
   FillHolesIteratively(
     open, [&](const std::pair<int, int>& pixel) { return FillPixel(picture, pixel); },
     [&](const std::pair<int, int>& pixel) { picture.Known(pixel.first, pixel.second) = 1; });
+  for (const PixelList& island : farIslands)
+  {
+    const double before = SumOf(own, island);
+    const auto factor = static_cast<float>(before > 0 ? SumOf(picture.Color, island) / before : 1);
+    for (const auto& [x, y] : island)
+    {
+      for (int channel = 0; channel < 3; ++channel)
+      {
+        picture.Color(x, y, channel) = factor * own(x, y, channel);
+      }
+    }
+  }
   for (const auto& [x, y] : open)
   {
     StoreColor(&picture.Color(x, y), buffer.Covered(x, y), &picture.Result.Color(x, y));
@@ -307,11 +351,10 @@ TexturedView TextureView(const TriangleMesh& mesh, const TriangleMesh* occluders
   const BlendInput input(references, camera, options);
   const bool anyFar = BlendPixels(buffer, input, execution, picture);
   execution.Report(0.9);
-  if (anyFar)
-  {
-    LevelPixels(buffer, input, camera.FocalLength(), execution, picture);
-  }
-  FillPixels(buffer, picture);
+  const std::vector<PixelList> farIslands = anyFar
+    ? LevelPixels(buffer, input, camera.FocalLength(), execution, picture)
+    : std::vector<PixelList>();
+  FillPixels(buffer, farIslands, picture);
   execution.Report(1);
   return result;
 }
