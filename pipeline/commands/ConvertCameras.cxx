@@ -56,10 +56,11 @@ void RefinePoses(const DatasetIndex& index, const std::vector<std::string>& excl
   {
     photographs[i].Cam.R = refined.Cameras[i].R;
     photographs[i].Cam.T = refined.Cameras[i].T;
+    const int fileWidth = PhotographOfName(limited.Cameras, photographs[i].Name)->FileWidth;
     const double reduction =
-      photographs[i].Cam.Width / std::max(1.0, static_cast<double>(refined.Cameras[i].Width));
-    console.Info("  " + photographs[i].Name +
-      Formatted(" %.2f px", std::max(1.0, reduction) * refined.ShiftsPx[i]));
+      fileWidth > 0 ? static_cast<double>(fileWidth) / refined.Cameras[i].Width : 1;
+    console.Info(
+      "  " + photographs[i].Name + Formatted(" %.2f px", reduction * refined.ShiftsPx[i]));
   }
 }
 }

@@ -142,6 +142,23 @@ double MemoryFor(const std::vector<Camera>& cameras)
   return fixed + kept * total + inWork * largest;
 }
 
+namespace
+{
+/** Warns when the memory that is free does not suffice for these photographs. */
+void NoteMemory(const std::vector<Camera>& cameras, std::vector<ReadingNote>& notes)
+{
+  const double needed = MemoryFor(cameras);
+  const double available = AvailableMemory();
+  if (available > 0 && needed > available)
+  {
+    notes.push_back({ "memory",
+      Formatted("about %.1f GiB of memory are needed, ", needed / GiB) +
+        Formatted("%.1f GiB are free; ", available / GiB) + "--max-size " +
+        std::to_string(SizeWithin(cameras, available)) + " needs less" });
+  }
+}
+}
+
 void LimitSize(DatasetIndex& index, const std::vector<std::string>& exclude,
   const std::optional<double>& maxSize)
 {
@@ -177,14 +194,6 @@ void LimitSize(DatasetIndex& index, const std::vector<std::string>& exclude,
   {
     cameras[i] = SizedCamera(*PhotographOfName(index.Cameras, used[i].Name));
   }
-  const double needed = MemoryFor(cameras);
-  const double available = AvailableMemory();
-  if (available > 0 && needed > available)
-  {
-    index.Notes.push_back({ "memory",
-      Formatted("about %.1f GiB of memory are needed, ", needed / GiB) +
-        Formatted("%.1f GiB are free; ", available / GiB) + "--max-size " +
-        std::to_string(SizeWithin(cameras, available)) + " needs less" });
-  }
+  NoteMemory(cameras, index.Notes);
 }
 }
