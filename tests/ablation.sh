@@ -92,7 +92,7 @@ out=$(cd "$out" && pwd)
 for object in "${objects[@]}"; do
   name=${object%%|*}
   read -ra options <<<"${object#*|}"
-  [[ " ${options[*]} " == *" --test-angles "* ]] || options+=(--test-angles 15,75,165,255)
+  [[ " ${options[*]} " == *" --test-angles "* ]] || options+=(--test-angles "15,75,165,255")
   data=$out/data/$(slug "$name")
   echo "$name, photographs"
   make "$data/generate.json" "$out/data/$(slug "$name").log" \

@@ -13,6 +13,6 @@ missing=$(for library in $libraries; do
 done | awk '$2 ~ /^gl[A-Z]/ && $2 !~ /^glX/ { sub(/@.*/, "", $2); print $2 }' | sort -u |
   grep -vxF "$own" || true)
 if [ -n "$missing" ]; then
-  echo "OpenGL functions that VTK calls and the program does not pass on:" $missing
+  echo "OpenGL functions that VTK calls and the program does not pass on: $(echo "$missing" | tr '\n' ' ')"
   exit 1
 fi
