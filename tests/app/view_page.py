@@ -176,7 +176,7 @@ def check_touch(driver):
 
 def main():
     driver = open_browser("1000,900")
-    program = subprocess.Popen([PROGRAM, "view", DATASET, *METHOD],
+    program = subprocess.Popen([PROGRAM, "view", DATASET, "--no-open", *METHOD],
                                stdout=subprocess.PIPE, text=True)
     try:
         address = None
